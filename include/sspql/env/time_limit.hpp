@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include <sspql/core/errors.hpp>
+#include <sspql/env/environment.hpp>
+
+namespace sspql {
+
+/// An Environment that cuts another one's episodes after `max_steps` steps by setting `truncated` (also when the last
+/// allowed step terminated: then both are set). The inner environment stays ignorant of time, so a cut never looks like
+/// a failure to the learner. Holds the inner environment by value; `environment()` reaches it.
+///
+/// \throws std::invalid_argument if max_steps is 0.
+template <class Environment>
+class TimeLimit {
+public:
+    TimeLimit(Environment environment, std::size_t max_steps)
+        : environment_(std::move(environment)), max_steps_(max_steps) {
+        if (max_steps == 0) throw_invalid("max_steps", "be at least 1", max_steps);
+    }
+
+    auto reset(std::uint64_t seed) {
+        steps_ = 0;
+        return environment_.reset(seed);
+    }
+
+    template <class Command>
+    auto step(const Command& command) {
+        auto result = environment_.step(command);
+        ++steps_;
+        if (steps_ >= max_steps_) result.truncated = true;
+        return result;
+    }
+
+    [[nodiscard]] std::size_t steps() const noexcept { return steps_; }
+    [[nodiscard]] std::size_t max_steps() const noexcept { return max_steps_; }
+    [[nodiscard]] Environment& environment() noexcept { return environment_; }
+    [[nodiscard]] const Environment& environment() const noexcept { return environment_; }
+
+private:
+    Environment environment_;
+    std::size_t max_steps_;
+    std::size_t steps_ = 0;
+};
+
+template <class Environment>
+TimeLimit(Environment, std::size_t) -> TimeLimit<Environment>;
+
+}  // namespace sspql

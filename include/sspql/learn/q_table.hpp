@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include <sspql/core/assert.hpp>
+#include <sspql/core/errors.hpp>
+#include <sspql/core/ids.hpp>
+
+namespace sspql {
+
+/// Q(s,a): |S| x |A| values in one growing vector, row = state. `matrix()` shows it as an Eigen row-major map without
+/// copying; the map is valid until grow(). Capacity doubles, reserve() is honoured. Ids are asserted, not checked.
+/// \throws std::invalid_argument for no actions, or an initial value that is not finite.
+class QTable {
+public:
+    using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+    QTable(std::size_t states, std::size_t actions, double initial = 0.0)
+        : actions_(detail::require_id_count("number of actions", actions)),
+          initial_(require_finite("initial Q", initial)),
+          values_(states * actions, initial) {}
+
+    [[nodiscard]] std::size_t states() const noexcept { return values_.size() / actions_; }
+    [[nodiscard]] std::size_t actions() const noexcept { return actions_; }
+    [[nodiscard]] double initial() const noexcept { return initial_; }
+
+    [[nodiscard]] double& operator()(StateId s, ActionId a) noexcept {
+        SSPQL_ASSERT(index(s) < states() && index(a) < actions_, "ids within range");
+        return values_[index(s) * actions_ + index(a)];
+    }
+    [[nodiscard]] double operator()(StateId s, ActionId a) const noexcept {
+        SSPQL_ASSERT(index(s) < states() && index(a) < actions_, "ids within range");
+        return values_[index(s) * actions_ + index(a)];
+    }
+
+    /// max_a Q(s,a) over the actions that `allowed.contains(a)`; -infinity if it contains none.
+    template <class Allowed>
+    [[nodiscard]] double max(StateId s, const Allowed& allowed) const noexcept {
+        const double* row = values_.data() + index(s) * actions_;
+        double best = -std::numeric_limits<double>::infinity();
+        for (std::size_t a = 0; a < actions_; ++a) {
+            if (allowed.contains(action_id(a))) best = std::max(best, row[a]);
+        }
+        return best;
+    }
+
+    /// More states; new ones start at the initial value.
+    void grow(std::size_t states) {
+        if (states * actions_ > values_.size()) values_.resize(states * actions_, initial_);
+    }
+
+    void reserve(std::size_t states) { values_.reserve(states * actions_); }
+
+    /// Every value back to the initial one.
+    void reset() { std::fill(values_.begin(), values_.end(), initial_); }
+
+    [[nodiscard]] Eigen::Map<const Matrix> matrix() const {
+        return {values_.data(), static_cast<Eigen::Index>(states()), static_cast<Eigen::Index>(actions_)};
+    }
+    [[nodiscard]] Eigen::Map<Matrix> matrix() {
+        return {values_.data(), static_cast<Eigen::Index>(states()), static_cast<Eigen::Index>(actions_)};
+    }
+
+private:
+    std::size_t actions_;
+    double initial_;
+    std::vector<double> values_;
+};
+
+}  // namespace sspql

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <sspql/core/errors.hpp>
+#include <sspql/learn/q_table.hpp>
+#include <sspql/learn/transition.hpp>
+
+namespace sspql {
+
+/// Q(s,a) += alpha [r + gamma max_a' Q(s',a') - Q(s,a)] (eq. 1), the maximum over the legal actions of s'; 0 instead of
+/// the maximum if the step terminated. O(|A|).
+///
+/// Deviation: Algorithm 2 line 7 prints Q(s',a) on the left; s is the state before the action, as in eq. 1.
+template <class LegalActions>
+void q_update(QTable& q, const Transition& t, double alpha, double gamma, const LegalActions& legal) {
+    const double future = t.terminated ? 0.0 : gamma * q.max(t.next, legal.allowed(t.next));
+    double& value = q(t.state, t.action);
+    value += alpha * (t.reward + future - value);
+}
+
+namespace detail {
+
+/// \throws std::invalid_argument for a discount outside [0, 1] or a learning rate that can exceed 1.
+template <class Params>
+void require_q_params(const Params& params) {
+    require_in("gamma", params.gamma, 0.0, 1.0);
+    require_in("alpha", params.alpha.greatest(), 0.0, 1.0);
+    require_finite("initial_q", params.initial_q);
+    require_not_negative("w_exp", params.w_exp);
+}
+
+}  // namespace detail
+
+}  // namespace sspql

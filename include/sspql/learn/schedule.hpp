@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <variant>
+
+#include <sspql/core/errors.hpp>
+#include <sspql/learn/tabulated.hpp>
+
+namespace sspql {
+
+/// Always the same value, in [0, inf).
+struct Constant {
+    double value = 1.0;
+};
+
+/// min(1, N^-p), and 1 for N <= 1: the paper's [N(s,a)]^-t (eq. 9) with t a fixed exponent p >= 0.
+///
+/// Deviation: the print calls t time. Read like that the term dies at the second visit; the constant reading (p = 0)
+/// keeps repeating an action that stopped working for ever.
+struct VisitDecay {
+    double p = 2.0;
+};
+
+/// floor + (start - floor) e^{-rate N}, with start >= floor >= 0 and rate >= 0.
+struct ExponentialDecay {
+    double start = 1.0;
+    double rate = 0.01;
+    double floor = 0.0;
+};
+
+/// A factor that depends on how often (s,a) was visited: a learning rate, or w_SSP of eq. 9. Any of the three rules
+/// above converts to it, and so does a number (Constant). Tabulated for the first 1024 counts. O(1), no allocation after
+/// construction.
+///
+/// \throws std::invalid_argument for parameters outside the rule's range.
+class Schedule {
+public:
+    using Rule = std::variant<Constant, VisitDecay, ExponentialDecay>;
+
+    Schedule(double constant) : Schedule(Rule(Constant{constant})) {}  // NOLINT(google-explicit-constructor)
+    Schedule(Constant rule) : Schedule(Rule(rule)) {}                  // NOLINT(google-explicit-constructor)
+    Schedule(VisitDecay rule) : Schedule(Rule(rule)) {}                // NOLINT(google-explicit-constructor)
+    Schedule(ExponentialDecay rule) : Schedule(Rule(rule)) {}          // NOLINT(google-explicit-constructor)
+
+    explicit Schedule(const Rule& rule)
+        : rule_(checked(rule)), table_([this](std::uint64_t n) { return compute(n); }) {}
+
+    /// The factor after n visits.
+    [[nodiscard]] double operator()(std::uint64_t n) const noexcept {
+        return detail::Tabulated::covers(n) ? table_[n] : compute(n);
+    }
+
+    [[nodiscard]] const Rule& rule() const noexcept { return rule_; }
+
+    /// The largest value, that of no visits: no rule grows.
+    [[nodiscard]] double greatest() const noexcept { return table_[0]; }
+
+private:
+    static const Rule& checked(const Rule& rule) {
+        std::visit([](const auto& r) { check(r); }, rule);
+        return rule;
+    }
+    static void check(const Constant& rule) { require_not_negative("constant of a schedule", rule.value); }
+    static void check(const VisitDecay& rule) { require_not_negative("exponent p of a visit decay", rule.p); }
+    static void check(const ExponentialDecay& rule) {
+        require_not_negative("floor of an exponential decay", rule.floor);
+        require_not_negative("rate of an exponential decay", rule.rate);
+        if (!(std::isfinite(rule.start) && rule.start >= rule.floor)) {
+            throw_invalid("start of an exponential decay", "be finite and not below its floor", rule.start);
+        }
+    }
+
+    [[nodiscard]] double compute(std::uint64_t n) const noexcept {
+        const auto visits = static_cast<double>(n);
+        if (const auto* decay = std::get_if<VisitDecay>(&rule_)) return n <= 1 ? 1.0 : std::pow(visits, -decay->p);
+        if (const auto* decay = std::get_if<ExponentialDecay>(&rule_)) {
+            return decay->floor + (decay->start - decay->floor) * std::exp(-decay->rate * visits);
+        }
+        return std::get_if<Constant>(&rule_)->value;
+    }
+
+    Rule rule_;
+    detail::Tabulated table_;
+};
+
+}  // namespace sspql

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include <sspql/core/assert.hpp>
+
+/// \file
+/// Cells: what TransitionCounts keeps about one observed (s, a, s'). A cell is trivially copyable, all zero when new,
+/// and answers
+///
+///     using Number                the type of N(s,a,s') and N(s,a)
+///     Number count() const        N(s,a,s'); 0 = never observed
+///     bool terminal() const       whether the last observation ended the episode
+///     bool full() const           the next observation would overflow: TransitionCounts halves the (s,a) first
+///     void add(reward, terminal)  one more observation
+///     void halve()                about half the count, at least 1 if it was at least 1
+
+namespace sspql {
+
+/// Integer counts, 4 bytes: 31 bits of N(s,a,s') and the terminal flag. When a count reaches Limit, all counts of its
+/// (s,a) are halved (rounding up, so that nothing observed is forgotten): probabilities survive, nothing ever wraps.
+/// Rewards are not kept.
+template <std::uint32_t Limit = 0x7FFFFFFFu>
+class BasicCountCell {
+    static_assert(Limit >= 2 && Limit <= 0x7FFFFFFFu, "sspql: a count has 31 bits");
+
+public:
+    using Number = std::uint32_t;
+    static constexpr bool keeps_rewards = false;
+    static constexpr Number limit = Limit;
+
+    [[nodiscard]] Number count() const noexcept { return bits_ & 0x7FFFFFFFu; }
+    [[nodiscard]] bool terminal() const noexcept { return (bits_ >> 31) != 0; }
+    [[nodiscard]] bool full() const noexcept { return count() >= Limit; }
+
+    void add(double /*reward*/, bool terminal) noexcept {
+        SSPQL_ASSERT(!full(), "halve before adding to a full cell");
+        bits_ = (count() + 1u) | (terminal ? 0x80000000u : 0u);
+    }
+
+    void halve() noexcept { bits_ = (bits_ & 0x80000000u) | ((count() + 1u) / 2u); }
+
+private:
+    std::uint32_t bits_ = 0;
+};
+
+using CountCell = BasicCountCell<>;
+
+/// Fractional counts that can fade, 32 bytes: n = N(s,a,s'), the sum of the rewards seen (both scaled together, so the
+/// mean reward survives fading), a fast count for detecting change, and the terminal flag.
+struct FadingCell {
+    using Number = double;
+    static constexpr bool keeps_rewards = true;
+
+    double n = 0.0;
+    double reward_sum = 0.0;
+    double fast = 0.0;
+    bool ended = false;
+
+    [[nodiscard]] Number count() const noexcept { return n; }
+    [[nodiscard]] bool terminal() const noexcept { return ended; }
+    [[nodiscard]] double mean_reward() const noexcept { return n > 0.0 ? reward_sum / n : 0.0; }
+
+    /// From 2^53 on, adding one changes nothing any more.
+    [[nodiscard]] bool full() const noexcept { return n >= 9007199254740992.0; }
+
+    void add(double reward, bool terminal) noexcept {
+        n += 1.0;
+        reward_sum += reward;
+        ended = terminal;
+    }
+
+    void halve() noexcept { scale(0.5); }
+
+    /// Multiplies count and reward sum; the mean reward stays.
+    void scale(double factor) noexcept {
+        n *= factor;
+        reward_sum *= factor;
+    }
+};
+
+}  // namespace sspql

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <sspql/core/assert.hpp>
+#include <sspql/paths/queue.hpp>
+
+namespace sspql {
+
+/// Queue: an implicit heap of arity D with an index from vertex to place. push and decrease O(log_D n), pop
+/// O(D log_D n); no allocation after prepare. Keys lie beside their vertices (16 bytes an item), so that a comparison
+/// needs no second look-up. `counters()` holds what Counters counted.
+template <std::size_t D = 4, class Counters = NoCounters>
+class DaryHeap : private Counters {
+    static_assert(D >= 2, "sspql: a heap needs an arity of at least 2");
+
+public:
+    void prepare(std::size_t n, double /*least_cost*/ = 0.0, double /*greatest_cost*/ = 0.0) {
+        if (place_.size() < n) place_.resize(n);
+        items_.clear();
+        items_.reserve(n);
+    }
+
+    [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
+    [[nodiscard]] std::size_t size() const noexcept { return items_.size(); }
+
+    void push(std::uint32_t vertex, double key) {
+        Counters::count_push();
+        items_.push_back({key, vertex});
+        rise(items_.size() - 1, {key, vertex});
+    }
+
+    void decrease(std::uint32_t vertex, double key) {
+        SSPQL_ASSERT(key <= items_[place_[vertex]].key, "keys only decrease");
+        Counters::count_decrease();
+        rise(place_[vertex], {key, vertex});
+    }
+
+    std::uint32_t pop() {
+        SSPQL_ASSERT(!empty(), "pop from an empty queue");
+        Counters::count_pop();
+        const std::uint32_t vertex = items_.front().vertex;
+        const Item last = items_.back();
+        items_.pop_back();
+        if (!items_.empty()) sink(last);
+        return vertex;
+    }
+
+    [[nodiscard]] const Counters& counters() const noexcept { return *this; }
+
+private:
+    struct Item {
+        double key;
+        std::uint32_t vertex;
+    };
+
+    void put(std::size_t i, const Item& item) {
+        Counters::count_move();
+        items_[i] = item;
+        place_[item.vertex] = static_cast<std::uint32_t>(i);
+    }
+
+    void rise(std::size_t i, Item item) {
+        while (i > 0) {
+            const std::size_t parent = (i - 1) / D;
+            Counters::count_comparison();
+            if (!(item.key < items_[parent].key)) break;
+            put(i, items_[parent]);
+            i = parent;
+        }
+        put(i, item);
+    }
+
+    void sink(Item item) {
+        const std::size_t n = items_.size();
+        std::size_t i = 0;
+        for (;;) {
+            const std::size_t first = i * D + 1;
+            if (first >= n) break;
+            const std::size_t end = first + D < n ? first + D : n;
+            std::size_t least = first;
+            for (std::size_t child = first + 1; child < end; ++child) {
+                Counters::count_comparison();
+                if (items_[child].key < items_[least].key) least = child;
+            }
+            Counters::count_comparison();
+            if (!(items_[least].key < item.key)) break;
+            put(i, items_[least]);
+            i = least;
+        }
+        put(i, item);
+    }
+
+    std::vector<Item> items_;
+    std::vector<std::uint32_t> place_;
+};
+
+}  // namespace sspql

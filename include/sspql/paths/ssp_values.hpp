@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include <sspql/core/ids.hpp>
+#include <sspql/model/probability.hpp>
+#include <sspql/model/transition_counts.hpp>
+#include <sspql/paths/shortest_paths.hpp>
+
+namespace sspql {
+
+/// Q_SSP (eq. 5 of Kwon, Suh and Lee 2011): e^{-H(s,a)} for the action a that most likely takes s to the next state of
+/// its shortest path, a = argmax_a P(next(s)|s,a), the least a on ties; 0 for every other action, and in states
+/// without a path. H is the entropy of eq. 6, so the value lies in (0, 1]: the surer the outcome, the larger.
+///
+/// One action a state is kept (12 bytes), not a table. Values stand as of the last assign.
+class SspValues {
+public:
+    /// Recomputes all values from counts and tree, choosing among the actions that `legal.allowed(s)` contains; where
+    /// none of those was seen to lead to next(s), the state has no value. O(n + sum of out-degrees).
+    template <class Cell, class LegalActions>
+    void assign(const TransitionCounts<Cell>& counts, const ShortestPathTree& tree, const LegalActions& legal) {
+        action_.assign(tree.size(), no_action);
+        value_.assign(tree.size(), 0.0);
+        for (std::size_t s = 0; s < tree.size(); ++s) {
+            if (tree.next[s] != no_state) update(counts, state_id(s), tree.next[s], legal);
+        }
+    }
+
+    /// Q_SSP(s,a). States added since the last assign have 0.
+    [[nodiscard]] double operator()(StateId s, ActionId a) const noexcept {
+        return index(s) < action_.size() && action_[index(s)] == a ? value_[index(s)] : 0.0;
+    }
+
+    /// The action on the shortest path; no_action where there is none.
+    [[nodiscard]] ActionId action(StateId s) const noexcept {
+        return index(s) < action_.size() ? action_[index(s)] : no_action;
+    }
+
+    void clear() noexcept {
+        action_.clear();
+        value_.clear();
+    }
+
+    void reserve(std::size_t states) {
+        action_.reserve(states);
+        value_.reserve(states);
+    }
+
+private:
+    template <class Cell, class LegalActions>
+    void update(const TransitionCounts<Cell>& counts, StateId s, StateId next, const LegalActions& legal) {
+        const auto allowed = legal.allowed(s);
+        ActionId best = no_action;
+        double best_probability = 0.0;
+        counts.for_each_successor(s, [&](const auto& successor) {
+            if (successor.state() != next) return;
+            successor.for_each_action([&](ActionId a, const Cell& cell) {
+                if (!allowed.contains(a)) return;
+                const double p = static_cast<double>(cell.count()) / static_cast<double>(counts.n(s, a));
+                if (p > best_probability || (p == best_probability && a < best)) {
+                    best = a;
+                    best_probability = p;
+                }
+            });
+        });
+        if (best == no_action) return;
+        action_[index(s)] = best;
+        value_[index(s)] = std::exp(-entropy(counts, s, best));
+    }
+
+    std::vector<ActionId> action_;
+    std::vector<double> value_;
+};
+
+}  // namespace sspql

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <vector>
+
+#include <sspql/env/environment.hpp>
+
+namespace sspql {
+
+/// How one episode went.
+struct EpisodeResult {
+    std::size_t steps = 0;
+    double total_reward = 0.0;  ///< undiscounted return
+    double last_reward = 0.0;   ///< that of the last step
+    bool terminated = false;    ///< the task itself ended
+    bool truncated = false;     ///< cut short, as by TimeLimit
+};
+
+/// Does nothing; what run_episode calls after each step unless told otherwise.
+struct NoCallback {
+    template <class Step>
+    void operator()(const Step&) const noexcept {}
+};
+
+/// One learning episode: resets the environment with `seed` and lets the agent act until the environment terminates or
+/// truncates (wrap it in a TimeLimit if it might do neither). `on_step(step)` is called after each environment step.
+/// Agent: anything with begin(observation), step(reward, observation), end(reward, observation, terminated), abort().
+/// If the environment, the agent or the callback throws, the agent's episode is aborted and the exception passes on.
+template <class Environment, class Agent, class Callback = NoCallback>
+EpisodeResult run_episode(Environment& environment, Agent& agent, std::uint64_t seed, Callback&& on_step = {}) {
+    EpisodeResult result;
+    try {
+        auto command = agent.begin(environment.reset(seed));
+        using Command = std::decay_t<decltype(command)>;
+        [[maybe_unused]] const detail::EnvironmentRequirements<Environment, Command> checked{};
+        for (;;) {
+            const auto step = environment.step(command);
+            ++result.steps;
+            result.total_reward += step.reward;
+            result.last_reward = step.reward;
+            on_step(step);
+            if (step.terminated || step.truncated) {
+                result.terminated = step.terminated;
+                result.truncated = step.truncated;
+                agent.end(step.reward, step.observation, step.terminated);
+                return result;
+            }
+            command = agent.step(step.reward, step.observation);
+        }
+    } catch (...) {
+        agent.abort();
+        throw;
+    }
+}
+
+/// `episodes` learning episodes, the k-th (from 0) with the environment seed `seed + k`.
+template <class Environment, class Agent>
+std::vector<EpisodeResult> run_episodes(Environment& environment, Agent& agent, std::size_t episodes,
+                                        std::uint64_t seed) {
+    std::vector<EpisodeResult> results;
+    results.reserve(episodes);
+    for (std::size_t k = 0; k < episodes; ++k) results.push_back(run_episode(environment, agent, seed + k));
+    return results;
+}
+
+}  // namespace sspql

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+/// \file
+/// Everything, in the order data flows: an observation becomes a state, a state is counted, counts become a graph of
+/// expected costs, the graph shortest paths, the paths values, the values an action. For Boost.Graph's algorithms on the
+/// learnt graph include <sspql/paths/boost_graph.hpp> besides.
+
+// core: ids, random numbers, errors
+#include <sspql/core/assert.hpp>
+#include <sspql/core/errors.hpp>
+#include <sspql/core/ids.hpp>
+#include <sspql/core/random.hpp>
+#include <sspql/core/version.hpp>
+
+// spaces: observations to states, actions to commands
+#include <sspql/spaces/action_policy.hpp>
+#include <sspql/spaces/action_set.hpp>
+#include <sspql/spaces/enum_state.hpp>
+#include <sspql/spaces/hashed_state.hpp>
+#include <sspql/spaces/legal_actions.hpp>
+#include <sspql/spaces/polar_grid.hpp>
+#include <sspql/spaces/product_state.hpp>
+#include <sspql/spaces/state_policy.hpp>
+#include <sspql/spaces/uniform_grid.hpp>
+
+// model: what was observed, and its probabilities
+#include <sspql/model/cells.hpp>
+#include <sspql/model/probability.hpp>
+#include <sspql/model/transition_counts.hpp>
+
+// paths: expected costs, the graph, queues, shortest paths
+#include <sspql/paths/cost.hpp>
+#include <sspql/paths/cost_publisher.hpp>
+#include <sspql/paths/dary_heap.hpp>
+#include <sspql/paths/fibonacci_heap.hpp>
+#include <sspql/paths/queue.hpp>
+#include <sspql/paths/reverse_graph.hpp>
+#include <sspql/paths/shortest_paths.hpp>
+#include <sspql/paths/ssp_values.hpp>
+
+// learn: values, selectors, learners, the agent
+#include <sspql/learn/action_selector.hpp>
+#include <sspql/learn/agent.hpp>
+#include <sspql/learn/exploration_bonus.hpp>
+#include <sspql/learn/learner.hpp>
+#include <sspql/learn/q_learning.hpp>
+#include <sspql/learn/q_table.hpp>
+#include <sspql/learn/schedule.hpp>
+#include <sspql/learn/sspql.hpp>
+
+// env: what the agent acts in
+#include <sspql/env/environment.hpp>
+#include <sspql/env/time_limit.hpp>
+
+// run: episodes, threads, statistics
+#include <sspql/run/episode.hpp>
+#include <sspql/run/parallel.hpp>
+#include <sspql/run/statistics.hpp>
