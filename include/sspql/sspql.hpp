@@ -48,6 +48,7 @@
 #include <sspql/learn/q_table.hpp>
 #include <sspql/learn/schedule.hpp>
 #include <sspql/learn/sspql.hpp>
+#include <sspql/learn/value_learner.hpp>
 
 // env: what the agent acts in
 #include <sspql/env/environment.hpp>

@@ -3,6 +3,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -16,13 +18,29 @@ namespace sspql {
 
 namespace detail {
 
-/// A number as a person would type it: shortest of %g and the digits needed to see what is wrong with it.
+/// A number as a person would type it, to 10 digits unless told otherwise; the same in every locale.
 template <class T>
-[[nodiscard]] std::string to_text(const T& value) {
+[[nodiscard]] std::string to_text(const T& value, int digits = 10) {
     std::ostringstream out;
-    out.precision(10);
+    out.imbue(std::locale::classic());
+    out.precision(digits);
     out << value;
     return out.str();
+}
+
+/// The digits needed to see what is wrong with it: all of them where 10 would show another number ("got 1").
+template <class T>
+[[nodiscard]] std::string offending_text(const T& value) {
+    std::string text = to_text(value);
+    if constexpr (std::is_floating_point_v<T>) {
+        std::istringstream in(text);
+        in.imbue(std::locale::classic());
+        T read{};
+        if (std::isfinite(value) && !(in >> read && read == value)) {
+            text = to_text(value, std::numeric_limits<T>::max_digits10);
+        }
+    }
+    return text;
 }
 
 }  // namespace detail
@@ -30,7 +48,7 @@ template <class T>
 /// Throws std::invalid_argument("NAME must REQUIREMENT, got VALUE").
 template <class T>
 [[noreturn]] void throw_invalid(const std::string& name, const std::string& requirement, const T& value) {
-    throw std::invalid_argument(name + " must " + requirement + ", got " + detail::to_text(value));
+    throw std::invalid_argument(name + " must " + requirement + ", got " + detail::offending_text(value));
 }
 
 /// `value` itself if it is neither NaN nor infinite.

@@ -63,7 +63,10 @@ public:
     double uniform() noexcept { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
 
     /// Uniform in [low, high); low itself if both are equal.
-    double uniform(double low, double high) noexcept { return low + (high - low) * uniform(); }
+    double uniform(double low, double high) noexcept {
+        const double value = low + (high - low) * uniform();
+        return value >= high && low < high ? low : value;  // rounding can reach high
+    }
 
     /// True with probability p (never for p <= 0, always for p >= 1).
     bool chance(double p) noexcept { return uniform() < p; }

@@ -15,7 +15,8 @@ namespace sspql {
 /// Which states are goals. Given ones (set) hold alone; without them goals are discovered: a state where an episode
 /// terminated with reward > 0, and, once a non-terminal reward other than 0 was seen (steps have costs), every state
 /// where one terminated. Other terminal states are hazards. A discovered goal that is later passed through without
-/// terminating is one no longer. observe is O(1); memory 1 byte a state.
+/// terminating is one no longer. observe is O(1), O(states where episodes ended) when it forgets one; memory 1 byte a
+/// state.
 class GoalBook {
 public:
     explicit GoalBook(std::size_t states = 0) : kind_(states, Kind::plain) {}

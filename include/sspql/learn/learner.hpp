@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include <sspql/core/assert.hpp>
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/learn/action_selector.hpp>
@@ -38,6 +39,7 @@ namespace sspql {
 ///     void add_states(std::size_t n)        make room for n states in all
 ///     ActionId select(StateId)              choose with exploration
 ///     void learn(const Transition&)         an outcome; ids and numbers are checked
+///     ActionId advance(const Transition& t) optional: learn(t), then select(t.next), which is the default
 ///     void episode_ended()                  after the last learn of an episode
 ///     double value(StateId, ActionId) const what best() maximises
 ///     void goals_changed(const std::vector<Goal>&)   other goals hold from now on; empty: discover them
@@ -50,20 +52,27 @@ public:
     /// Starts an episode in s.
     [[nodiscard]] ActionId begin(StateId s) {
         if (running()) throw std::logic_error("begin() during an episode: end() or abort() it first");
-        grow_to(admitted(s, states_, "state"));
-        return choose(s);
+        const std::size_t states = admitted(s, states_, "state");
+        require_choice(s);
+        grow_to(states);
+        state_ = s;
+        action_ = derived().select(s);
+        return action_;
     }
 
     /// The chosen action brought `reward` and led to `next`, at the cost of `weight`. Learns, then chooses again.
     [[nodiscard]] ActionId step(double reward, StateId next, double weight = 1.0) {
-        take(reward, next, false, weight, "step()");
-        return choose(next);
+        const Transition t = outcome(reward, next, false, weight, "step()");
+        const ActionId a = derived().advance(t);
+        state_ = next;
+        action_ = a;
+        return a;
     }
 
     /// The same for the last action of an episode. `terminated`: the task ended; otherwise somebody cut it short, and
     /// `next` keeps its future value.
     void end(double reward, StateId next, bool terminated, double weight = 1.0) {
-        take(reward, next, terminated, weight, "end()");
+        derived().learn(outcome(reward, next, terminated, weight, "end()"));
         action_ = no_action;
         derived().episode_ended();
     }
@@ -84,8 +93,9 @@ public:
     void observe(StateId s, ActionId a, double reward, StateId next, bool terminated, double weight = 1.0) {
         detail::require_action_of(a, actions_);
         require_outcome(reward, weight);
-        grow_to(admitted(next, admitted(s, states_, "state"), "next state"));
+        const std::size_t states = admitted(next, admitted(s, states_, "state"), "next state");
         if (!terminated) require_choice(next);
+        grow_to(states);
         derived().learn({s, a, reward, next, terminated, weight});
         if (terminated) derived().episode_ended();
     }
@@ -147,7 +157,13 @@ protected:
         : legal_(std::move(legal)),
           states_(states.initial()),
           actions_(detail::require_id_count("number of actions", actions)),
-          grows_(states.grows()) {}
+          grows_(states.grows()) {
+        if constexpr (std::is_same_v<LegalActions, LegalActionTable>) {
+            if (legal_.actions() != 0 && legal_.actions() != actions_) {
+                throw_invalid("size of the masks in legal_actions", "be " + std::to_string(actions_), legal_.actions());
+            }
+        }
+    }
     ~Learner() = default;
     Learner(const Learner&) = default;
     Learner(Learner&&) noexcept = default;
@@ -155,6 +171,12 @@ protected:
     Learner& operator=(Learner&&) noexcept = default;
 
     [[nodiscard]] LegalActions& legal() noexcept { return legal_; }
+    [[nodiscard]] const LegalActions& legal() const noexcept { return legal_; }
+
+    ActionId advance(const Transition& t) {
+        derived().learn(t);
+        return derived().select(t.next);
+    }
 
     /// Throws unless s is one of the states there are.
     void require_known(StateId s) const {
@@ -164,16 +186,6 @@ protected:
     void require_known(StateId s, ActionId a) const {
         require_known(s);
         detail::require_action_of(a, actions_);
-    }
-
-private:
-    Derived& derived() noexcept { return static_cast<Derived&>(*this); }
-    const Derived& derived() const noexcept { return static_cast<const Derived&>(*this); }
-
-    [[noreturn]] void refuse_state(StateId s, const char* what) const {
-        throw_invalid(what, grows_ ? "be at most the number of states so far, " + std::to_string(states_)
-                                   : "be below the number of states " + std::to_string(states_),
-                      index(s));
     }
 
     /// The number of states once s is among them, `states` of which there are already.
@@ -189,6 +201,16 @@ private:
         states_ = states;
     }
 
+private:
+    Derived& derived() noexcept { return static_cast<Derived&>(*this); }
+    const Derived& derived() const noexcept { return static_cast<const Derived&>(*this); }
+
+    [[noreturn]] void refuse_state(StateId s, const char* what) const {
+        throw_invalid(what, grows_ ? "be at most the number of states so far, " + std::to_string(states_)
+                                   : "be below the number of states " + std::to_string(states_),
+                      index(s));
+    }
+
     static void require_outcome(double reward, double weight) {
         require_finite("reward", reward);
         require_in("weight", weight, min_weight, max_weight);
@@ -196,7 +218,7 @@ private:
 
     /// A user's own LegalActions may allow nothing; ours never do.
     void require_choice(StateId s) const {
-        if constexpr (!std::is_same_v<LegalActions, AllActions> && !stores_masks_v<LegalActions>) {
+        if constexpr (!std::is_same_v<LegalActions, AllActions> && !std::is_same_v<LegalActions, LegalActionTable>) {
             const auto allowed = legal_.allowed(s);
             for (std::size_t a = 0; a < actions_; ++a) {
                 if (allowed.contains(action_id(a))) return;
@@ -207,20 +229,14 @@ private:
         }
     }
 
-    void take(double reward, StateId next, bool terminated, double weight, const char* call) {
+    /// The outcome of the pending action, checked.
+    Transition outcome(double reward, StateId next, bool terminated, double weight, const char* call) {
         if (!running()) throw std::logic_error(std::string(call) + " before begin()");
         require_outcome(reward, weight);
-        grow_to(admitted(next, states_, "next state"));
+        const std::size_t states = admitted(next, states_, "next state");
         if (!terminated) require_choice(next);
-        derived().learn({state_, action_, reward, next, terminated, weight});
-    }
-
-    ActionId choose(StateId s) {
-        require_choice(s);
-        const ActionId a = derived().select(s);
-        state_ = s;
-        action_ = a;
-        return a;
+        grow_to(states);
+        return {state_, action_, reward, next, terminated, weight};
     }
 
     LegalActions legal_;

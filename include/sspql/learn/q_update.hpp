@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <sspql/core/errors.hpp>
 #include <sspql/learn/q_table.hpp>
 #include <sspql/learn/transition.hpp>
 
@@ -17,18 +16,5 @@ void q_update(QTable& q, const Transition& t, double alpha, double gamma, const 
     double& value = q(t.state, t.action);
     value += alpha * (t.reward + future - value);
 }
-
-namespace detail {
-
-/// \throws std::invalid_argument for a discount outside [0, 1] or a learning rate that can exceed 1.
-template <class Params>
-void require_q_params(const Params& params) {
-    require_in("gamma", params.gamma, 0.0, 1.0);
-    require_in("alpha", params.alpha.greatest(), 0.0, 1.0);
-    require_finite("initial_q", params.initial_q);
-    require_not_negative("w_exp", params.w_exp);
-}
-
-}  // namespace detail
 
 }  // namespace sspql

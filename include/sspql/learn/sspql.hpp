@@ -8,15 +8,9 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
-#include <sspql/core/random.hpp>
-#include <sspql/learn/action_selector.hpp>
-#include <sspql/learn/exploration_bonus.hpp>
 #include <sspql/learn/goal_book.hpp>
-#include <sspql/learn/learner.hpp>
-#include <sspql/learn/q_table.hpp>
 #include <sspql/learn/q_update.hpp>
-#include <sspql/learn/schedule.hpp>
-#include <sspql/learn/visit_counts.hpp>
+#include <sspql/learn/value_learner.hpp>
 #include <sspql/model/transition_counts.hpp>
 #include <sspql/paths/cost_publisher.hpp>
 #include <sspql/paths/fibonacci_heap.hpp>
@@ -30,13 +24,11 @@ namespace sspql {
 ///
 ///     struct MyPolicies : sspql::SspqlPolicies { using Cost = sspql::ExpectedTries; };
 ///     sspql::Sspql<MyPolicies> learner(states, actions);
-struct SspqlPolicies {
+struct SspqlPolicies : ValuePolicies {
     using Cell = CountCell;
     using Probability = SumOverActions;
     using Cost = RiskWeighted;
     using Queue = FibonacciHeap<>;
-    using Selector = ActionSelector;
-    using LegalActions = LegalActionTable;
 };
 
 template <class Policies>
@@ -45,21 +37,16 @@ class Sspql;
 /// Parameters of Sspql, by name. The defaults are the paper's, one set for all its tasks: gamma = alpha = 0.8, lambda 2,
 /// w_Q 1, w_SSP = min(1, N^-2), w_EXP 0.1, eta 1.5, noise below 0.01. The other columns of Table 1 are presets.
 template <class Policies = SspqlPolicies>
-struct SspqlParams {
+struct SspqlParams : ValueParams<Policies> {
     using Learner = Sspql<Policies>;
 
-    double gamma = 0.8;                 ///< discount, in [0, 1]
-    Schedule alpha = 0.8;               ///< learning rate by N(s,a), in [0, 1]
-    double initial_q = 0.0;             ///< Q of what was never tried
     double w_q = 1.0;                   ///< weight of Q
     double w_ssp = 1.0;                 ///< weight of Q_SSP, times ssp_decay; 0 switches the planner off
     Schedule ssp_decay = VisitDecay{};  ///< eq. 9, by visits of (s,a) since the goals were set
-    double w_exp = 0.1;                 ///< weight of the exploration bonus
-    ExplorationBonus bonus{1.5};        ///< eq. 7
     typename Policies::Probability probability{};
     typename Policies::Cost cost{};  ///< eq. 2; lambda is in it
-    typename Policies::Selector selector{};
-    typename Policies::LegalActions legal_actions{};
+
+    SspqlParams() { this->w_exp = 0.1; }
 
     /// All three terms: the defaults, Table 1's "SSPQL with exploration bonus".
     [[nodiscard]] static SspqlParams with_bonus() { return {}; }
@@ -106,12 +93,10 @@ struct SspqlParams {
 /// an episode ends; one successor per edge counts, so a hazard beside the path costs nothing.
 /// Deviation: N(s,a) in eq. 9 counts visits since the goals were last set, so that a new goal is followed at once.
 template <class Policies = SspqlPolicies>
-class Sspql : public Learner<Sspql<Policies>, typename Policies::LegalActions> {
-    using Base = Learner<Sspql, typename Policies::LegalActions>;
+class Sspql : public ValueLearner<Sspql<Policies>, Policies, SspqlParams<Policies>> {
+    using Base = ValueLearner<Sspql, Policies, SspqlParams<Policies>>;
     friend Base;
-    static_assert(is_selector_v<typename Policies::Selector>,
-                  "sspql: this Selector lacks `ActionId operator()(std::size_t actions, const Allowed&, const Score&, "
-                  "Random&) const`");
+    friend Learner<Sspql, typename Policies::LegalActions>;
 
 public:
     using Params = SspqlParams<Policies>;
@@ -120,24 +105,19 @@ public:
     /// \throws std::invalid_argument for no states or actions (StateCount::growing() starts with none), gamma or alpha
     /// outside [0, 1], a schedule for w_SSP above 1 (eq. 9), negative weights, or parameters that are not finite.
     Sspql(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
-        : Base(states, actions, std::move(params.legal_actions)),
-          params_(std::move(params)),
-          q_(states.initial(), actions, params_.initial_q),
-          visits_(states.initial(), actions),
+        : Base(states, actions, std::move(params), seed),
           counts_(states.initial(), actions),
           goals_(states.initial()),
-          publisher_(params_.cost, params_.probability),
-          random_(seed, RandomStream::learner) {
-        detail::require_q_params(params_);
-        require_not_negative("w_q", params_.w_q);
-        require_not_negative("w_ssp", params_.w_ssp);
-        require_in("w_SSP's schedule (eq. 9)", params_.ssp_decay.greatest(), 0.0, 1.0);
+          publisher_(Base::params_.cost, Base::params_.probability) {
+        const Params& p = Base::params_;
+        require_not_negative("w_q", p.w_q);
+        require_not_negative("w_ssp", p.w_ssp);
+        require_in("w_SSP's schedule (eq. 9)", p.ssp_decay.greatest(), 0.0, 1.0);
     }
 
     /// Room for `states` states and `pairs` distinct (s,s') in all (0: four a state).
     void reserve(std::size_t states, std::size_t pairs = 0) {
-        q_.reserve(states);
-        visits_.reserve(states);
+        Base::reserve_values(states);
         counts_.reserve(states, pairs == 0 ? 4 * states : pairs);
         goals_.reserve(states);
         values_.reserve(states);
@@ -146,12 +126,13 @@ public:
     /// The terms of eq. 8 for (s,a). \throws std::invalid_argument for ids outside.
     [[nodiscard]] ActionTerms terms(StateId s, ActionId a) const {
         Base::require_known(s, a);
-        return {params_.w_q * q_(s, a), ssp_term(s, a), bonus_term(s, a), static_cast<double>(counts_.n(s, a))};
+        return {this->params_.w_q * this->q_(s, a), ssp_term(s, a), bonus_term(s, a), Base::hint_term(s, a),
+                static_cast<double>(counts_.n(s, a))};
     }
 
     /// Renews the shortest paths and Q_SSP now (Algorithm 1) instead of at the episode's end. O(m + n log n).
     void update_paths() {
-        if (params_.w_ssp == 0.0) return;
+        if (this->params_.w_ssp == 0.0) return;
         operations_ += publisher_.publish(counts_);
         graph_.assign(counts_);
         operations_ += graph_.edges();
@@ -159,10 +140,7 @@ public:
         values_.assign(counts_, tree_, Base::legal());
     }
 
-    [[nodiscard]] const QTable& q() const noexcept { return q_; }
     [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
-    [[nodiscard]] const VisitCounts& visits() const noexcept { return visits_; }
-    [[nodiscard]] const Params& params() const noexcept { return params_; }
 
     /// The goals that hold now.
     [[nodiscard]] std::vector<Goal> goals() const { return goals_.goals(); }
@@ -178,57 +156,48 @@ public:
 
 private:
     void add_states(std::size_t n) {
-        q_.grow(n);
-        visits_.grow(n);
+        Base::add_states(n);
         counts_.grow(n);
         goals_.grow(n);
     }
 
     [[nodiscard]] double ssp_term(StateId s, ActionId a) const noexcept {
-        return params_.w_ssp * params_.ssp_decay(visits_(s, a)) * values_(s, a);
+        return this->params_.w_ssp * this->params_.ssp_decay(this->visits_(s, a)) * values_(s, a);
     }
 
     [[nodiscard]] double bonus_term(StateId s, ActionId a) const noexcept {
-        return params_.w_exp * params_.bonus(static_cast<std::uint64_t>(counts_.n(s, a)));
+        return this->params_.w_exp * this->params_.bonus(static_cast<std::uint64_t>(counts_.n(s, a)));
     }
 
-    ActionId select(StateId s) {
-        const ActionId on_path = values_.action(s);
-        return params_.selector(
-            Base::actions(), Base::legal().allowed(s),
-            [&](ActionId a) {
-                double score = params_.w_q * q_(s, a);
-                if (a == on_path) score += ssp_term(s, a);
-                if (params_.w_exp > 0.0) score += bonus_term(s, a);
-                return score;
-            },
-            random_);
+    [[nodiscard]] double score(StateId s, ActionId a) const noexcept {
+        double sum = value(s, a);
+        if (this->params_.w_exp > 0.0) sum += bonus_term(s, a);
+        if (!this->hints_.empty()) sum += Base::hint_term(s, a);
+        return sum;
+    }
+
+    [[nodiscard]] double value(StateId s, ActionId a) const noexcept {
+        const double q = this->params_.w_q * this->q_(s, a);
+        return values_.action(s) == a ? q + ssp_term(s, a) : q;
     }
 
     void learn(const Transition& t) {
         ++operations_;
         counts_.record(t.state, t.action, t.next, t.terminated, t.reward, t.weight);
-        visits_.add(t.state, t.action);
-        q_update(q_, t, params_.alpha(visits_(t.state, t.action)), params_.gamma, Base::legal());
+        this->visits_.add(t.state, t.action);
+        q_update(this->q_, t, this->params_.alpha(this->visits_(t.state, t.action)), this->params_.gamma,
+                 Base::legal());
         goals_.observe(t);
     }
 
     void episode_ended() { update_paths(); }
 
-    [[nodiscard]] double value(StateId s, ActionId a) const noexcept {
-        return params_.w_q * q_(s, a) + ssp_term(s, a);
-    }
-
     void goals_changed(const std::vector<Goal>& goals) {
         goals_.set(goals);
-        q_.reset();
-        visits_.reset();
+        Base::reset_values();
         update_paths();
     }
 
-    Params params_;
-    QTable q_;
-    VisitCounts visits_;
     Counts counts_;
     GoalBook goals_;
     CostPublisher<typename Policies::Cost, typename Policies::Probability> publisher_;
@@ -236,7 +205,6 @@ private:
     ReverseGraph graph_;
     ShortestPathTree tree_;
     SspValues values_;
-    Random random_;
     std::uint64_t operations_ = 0;
 };
 

@@ -44,9 +44,10 @@ struct ActionTerms {
     double q = 0.0;            ///< w_Q Q(s,a)
     double ssp = 0.0;          ///< w_SSP(N) Q_SSP(s,a)
     double exploration = 0.0;  ///< w_EXP Q_EXP(s,a)
+    double hint = 0.0;         ///< what is left of a trainer's hint
     double n = 0.0;            ///< N(s,a)
 
-    [[nodiscard]] double sum() const noexcept { return q + ssp + exploration; }
+    [[nodiscard]] double sum() const noexcept { return q + ssp + exploration + hint; }
 };
 
 }  // namespace sspql

@@ -40,10 +40,11 @@ public:
     void reserve(std::size_t states, std::size_t pairs) {
         nodes_.reserve(states);
         dirty_.reserve(states);
-        const std::size_t records = 4 * states + 2 * pairs;
-        out_.reserve(records);
-        in_.reserve(records);
-        if (!weights_.empty()) weights_.reserve(records);
+        // With blocks that were outgrown and found no other taker, d records of a state take up at most 4 + 4 d places up
+        // to hub_degree, and 4 + 5 d beyond. What is not used stays untouched address space.
+        out_.reserve(4 * states + 4 * pairs);
+        in_.reserve(4 * states + 5 * pairs);
+        if (!weights_.empty()) weights_.reserve(4 * states + 4 * pairs);
     }
 
     // --- out-records: absolute indices, valid until the next insert or erase ---
@@ -144,7 +145,10 @@ public:
     [[nodiscard]] double weight(std::uint32_t record) const noexcept { return weights_.empty() ? 1.0 : weights_[record]; }
 
     void set_weight(std::uint32_t record, double value) {
-        if (weights_.empty()) weights_.resize(out_.extent(), 1.0);
+        if (weights_.empty()) {
+            weights_.reserve(out_.bytes() / out_.stride());  // what was reserved holds for weights, too
+            weights_.resize(out_.extent(), 1.0);
+        }
         weights_[record] = value;
     }
 

@@ -90,7 +90,7 @@ public:
     }
 
     /// Room for `states` states and `pairs` distinct (s,s'): then record does not allocate, unless a state has more
-    /// than 32 successors or more than 8 actions are in use.
+    /// than 32 successors or more than 8 actions are in use; the first weight other than 1 allocates once.
     void reserve(std::size_t states, std::size_t pairs) {
         totals_.reserve(states * actions_);
         pairs_.reserve(states, pairs);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -21,11 +22,14 @@ struct Summary {
     Summary summary;
     summary.count = values.size();
     if (values.empty()) return summary;
+    if (std::all_of(values.begin(), values.end(), [&](double value) { return value == values.front(); })) {
+        summary.mean = values.front();  // sum / n could differ in the last digit, and so seem to vary
+        return summary;
+    }
     const auto n = static_cast<double>(values.size());
     double sum = 0.0;
     for (const double value : values) sum += value;
     summary.mean = sum / n;
-    if (values.size() < 2) return summary;
     double squares = 0.0;
     for (const double value : values) squares += (value - summary.mean) * (value - summary.mean);
     summary.deviation = std::sqrt(squares / (n - 1.0));

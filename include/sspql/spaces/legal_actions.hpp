@@ -84,6 +84,9 @@ public:
         for (std::size_t i = 0; i < stride; ++i) words_[index(s) * stride + i] = mask.word(i);
     }
 
+    /// The size of its masks; 0 while it has none.
+    [[nodiscard]] std::size_t actions() const noexcept { return actions_; }
+
     void reserve(std::size_t states, std::size_t actions) { words_.reserve(states * ((actions + 63) / 64)); }
 
     void clear() noexcept {

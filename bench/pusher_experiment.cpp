@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: MIT
+//
+// How many steps does each learner need until the robot knows its way behind the box? Table 1 and Figs. 8 to 12 of Kwon,
+// Suh and Lee (2011), on a simulated robot: pusher_experiment --help
+
+#include <cstddef>
+#include <cstdint>
+#include <iostream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <sspql/core/version.hpp>
+#include <sspql/env/time_limit.hpp>
+#include <sspql/run/parallel.hpp>
+#include <sspql/sim/box2d_backend.hpp>
+#include <sspql/sim/kinematic_backend.hpp>
+#include <sspql/sim/pusher_tasks.hpp>
+
+#include "experiment/learner_catalog.hpp"
+#include "experiment/options.hpp"
+#include "experiment/runner.hpp"
+#include "report/csv_report.hpp"
+#include "report/json_report.hpp"
+#include "report/numbers.hpp"
+#include "report/output_file.hpp"
+#include "report/progress.hpp"
+#include "report/pusher_report.hpp"
+#include "report/table_text.hpp"
+
+namespace {
+
+using namespace sspql;
+using namespace sspql::experiment;
+
+struct PusherOptions : CommonOptions {
+    std::string backend = "box2d";
+    std::string task = "approach";
+    std::string starts = "two";
+    double noise = 1.0;
+
+    PusherOptions() {
+        learners = "q,ssp,sspql,sspql-bonus";
+        seeds = 20;
+        episodes = 30;
+        steps_per_episode = 2000;
+    }
+};
+
+/// The robot's way in some episodes of one run, to be drawn.
+struct Trace {
+    std::vector<report::ArenaPath> episodes;
+
+    void add(std::size_t episode, const sim::Pose& robot) {
+        if (episodes.size() <= episode) episodes.resize(episode + 1);
+        episodes[episode].poses.push_back({robot.x_m, robot.y_m, robot.heading_rad});
+    }
+};
+
+/// Remembers where an episode began: what a TimeLimit passes on from reset is not seen by a step callback.
+template <class Task>
+class TracedTask {
+public:
+    TracedTask(const sim::PusherParams& params, Trace* trace) : task_(params), trace_(trace) {}
+
+    auto reset(std::uint64_t seed) {
+        const auto observation = task_.reset(seed);
+        if (trace_ != nullptr) trace_->add(episode_, observation.robot);
+        ++episode_;
+        return observation;
+    }
+
+    auto step(const sim::PusherCommand& command) {
+        const auto step = task_.step(command);
+        if (trace_ != nullptr) trace_->add(episode_ - 1, step.observation.robot);
+        return step;
+    }
+
+private:
+    Task task_;
+    Trace* trace_;
+    std::size_t episode_ = 0;
+};
+
+template <class Task, class States, class Actions>
+report::SeedRun run_one(const PusherOptions& options, const sim::PusherParams& params, const LearnerRecipe& recipe,
+                        std::uint64_t seed, Trace* trace) {
+    const States states;
+    const Actions actions;
+    TimeLimit environment(TracedTask<Task>(params, trace), static_cast<std::size_t>(options.steps_per_episode));
+    TimedAgent agent(states, actions, recipe.make(states.size(), actions.size(), seed));
+    return run_seed(environment, agent, seed, static_cast<std::size_t>(options.episodes),
+                    [](std::size_t, const auto&) {});
+}
+
+template <class Backend>
+report::SeedRun run_one(const PusherOptions& options, const sim::PusherParams& params, const LearnerRecipe& recipe,
+                        std::uint64_t seed, Trace* trace) {
+    using namespace sim;
+    if (options.task == "turn") {
+        return run_one<TurnTask<Backend>, TurnState, TurnActions>(options, params, recipe, seed, trace);
+    }
+    return run_one<ApproachTask<Backend>, ApproachState, ApproachActions>(options, params, recipe, seed, trace);
+}
+
+std::string quoted_list(const std::vector<std::string>& words) {
+    std::string text = "[";
+    for (const std::string& word : words) {
+        if (text.size() > 1) text += ",";
+        text += '"';
+        for (const char c : word) text += (c == '"' || c == '\\') ? std::string("\\") + c : std::string(1, c);
+        text += '"';
+    }
+    return text + "]";
+}
+
+std::vector<report::Setting> settings_of(const PusherOptions& options, const std::vector<LearnerRecipe>& recipes) {
+    std::vector<std::string> names;
+    for (const LearnerRecipe& recipe : recipes) names.push_back(recipe.name());
+    return {{"backend", options.backend},
+            {"task", options.task},
+            {"starts", options.starts},
+            {"noise", report::exact_text(options.noise), false},
+            {"learners", quoted_list(names), false},
+            {"set", quoted_list(options.set), false},
+            {"seeds", std::to_string(options.seeds), false},
+            {"episodes", std::to_string(options.episodes), false},
+            {"steps_per_episode", std::to_string(options.steps_per_episode), false}};
+}
+
+/// The last episode of the first seed from each starting place, for the learner that needed the fewest steps.
+report::Arena learnt_paths(const PusherOptions& options, const sim::PusherParams& params,
+                           const report::PhaseRuns& phase, std::vector<Trace>& traces) {
+    report::Arena arena;
+    std::size_t best = 0;
+    std::uint64_t best_steps = 0;
+    for (std::size_t i = 0; i < phase.learners.size(); ++i) {
+        std::uint64_t steps = 0;
+        for (const report::SeedRun& run : phase.learners[i].runs) steps += run.steps;
+        if (i == 0 || steps < best_steps) {
+            best = i;
+            best_steps = steps;
+        }
+    }
+    if (options.task == "turn") return arena;
+    std::vector<bool> shown(params.start_places.size(), false);
+    auto& episodes = traces[best].episodes;
+    for (std::size_t e = episodes.size(); e-- > 0;) {
+        const report::ArenaPose& start = episodes[e].poses.front();
+        for (std::size_t p = 0; p < params.start_places.size(); ++p) {
+            const sim::Pose& place = params.start_places[p];
+            const bool from_here = std::abs(start.x_m - place.x_m) < 0.2 && std::abs(start.y_m - place.y_m) < 0.2;
+            if (!from_here || shown[p]) continue;
+            shown[p] = true;
+            episodes[e].name = phase.learners[best].name + ", episode " + std::to_string(e + 1) + " of seed 1";
+            arena.paths.push_back(std::move(episodes[e]));
+            break;
+        }
+    }
+    return arena;
+}
+
+int body(int argc, char** argv) {
+    PusherOptions options;
+    Options parser("pusher_experiment",
+                   "A simulated robot learns to approach (or to turn towards) a box: steps per episode of several "
+                   "learners, as in Table 1 and Figs. 8 to 12 of Kwon, Suh and Lee (2011).");
+    parser.choice("--backend", options.backend, {"kinematic", "box2d"}, "The world: plain geometry, or physics");
+    parser.choice("--task", options.task, {"approach", "turn"}, "Get behind the box, or face it once there");
+    parser.number("--noise", options.noise, 0.0, 10.0, "Actuator noise, as a multiple of the study's");
+    parser.choice("--starts", options.starts, {"one", "two"}, "Starting places of 'approach'");
+    parser.common(options);
+    std::string names;
+    for (const std::string& name : learner_names()) names += " " + name;
+    parser.footer("Learners:" + names +
+                  "\nKeys of --set: gamma alpha initial_q bonus eta noise selector epsilon temperature; with a model "
+                  "also w_q w_ssp decay lambda cost probability");
+    if (!parser.parse(argc, argv)) return 0;
+
+    const std::vector<LearnerRecipe> recipes = learner_recipes(options.learners, options.set);
+    sim::PusherParams params;
+    params.noise = options.noise;
+    params.starts = options.starts == "one" ? sim::Starts::one : sim::Starts::two;
+    params.validate();
+    for (const std::string* path : {&options.json, &options.html, &options.csv}) {
+        if (!path->empty()) report::require_writable(*path);
+    }
+
+    report::ExperimentResults results;
+    results.experiment = "pusher_experiment";
+    results.settings = settings_of(options, recipes);
+    results.manifest = {command_line(argc, argv), SSPQL_VERSION, compiler_name()};
+    results.phases.emplace_back();
+    report::PhaseRuns& phase = results.phases.back();
+    phase.name = options.task;
+
+    const auto seeds = static_cast<std::size_t>(options.seeds);
+    for (const LearnerRecipe& recipe : recipes) {
+        phase.learners.push_back({recipe.name(), std::vector<report::SeedRun>(seeds)});
+    }
+    std::vector<Trace> traces(recipes.size());
+    {
+        report::Progress progress("pusher_experiment", recipes.size() * seeds);
+        // Learners take turns, so that the time left can be told from the runs done.
+        parallel_for(recipes.size() * seeds, static_cast<std::size_t>(options.threads), [&](std::size_t i) {
+            const std::size_t learner = i % recipes.size();
+            const std::size_t k = i / recipes.size();
+            Trace* trace = k == 0 && !options.html.empty() ? &traces[learner] : nullptr;
+            phase.learners[learner].runs[k] =
+                options.backend == "box2d"
+                    ? run_one<sim::Box2dBackend>(options, params, recipes[learner], k + 1, trace)
+                    : run_one<sim::KinematicBackend>(options, params, recipes[learner], k + 1, trace);
+            progress.advance();
+        });
+    }
+
+    std::cout << report::table_text(results) << std::flush;
+    if (!options.json.empty()) report::write_file(options.json, report::json_report(results));
+    if (!options.csv.empty()) report::write_file(options.csv, report::csv_report(results));
+    if (!options.html.empty()) {
+        report::write_file(options.html, report::pusher_report(results, learnt_paths(options, params, phase, traces)));
+    }
+    return std::cout.good() ? 0 : 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) { return sspql::experiment::run_program("pusher_experiment", body, argc, argv); }
