@@ -11,7 +11,6 @@
 #include <vector>
 
 #include <sspql/core/version.hpp>
-#include <sspql/env/time_limit.hpp>
 #include <sspql/run/parallel.hpp>
 #include <sspql/sim/box2d_backend.hpp>
 #include <sspql/sim/kinematic_backend.hpp>
@@ -87,10 +86,13 @@ report::SeedRun run_one(const PusherOptions& options, const sim::PusherParams& p
                         std::uint64_t seed, Trace* trace) {
     const States states;
     const Actions actions;
-    TimeLimit environment(TracedTask<Task>(params, trace), static_cast<std::size_t>(options.steps_per_episode));
-    TimedAgent agent(states, actions, recipe.make(states.size(), actions.size(), seed));
-    return run_seed(environment, agent, seed, static_cast<std::size_t>(options.episodes),
-                    [](std::size_t, const auto&) {});
+    TracedTask<Task> environment(params, trace);
+    const auto learner = recipe.make(states.size(), actions.size(), seed);
+    TimedAgent agent(states, actions, *learner);
+    RunPlan plan;
+    plan.episodes = static_cast<std::size_t>(options.episodes);
+    plan.steps_per_episode = static_cast<std::size_t>(options.steps_per_episode);
+    return run_seed(environment, agent, seed, 0, plan);
 }
 
 template <class Backend>
@@ -103,17 +105,6 @@ report::SeedRun run_one(const PusherOptions& options, const sim::PusherParams& p
     return run_one<ApproachTask<Backend>, ApproachState, ApproachActions>(options, params, recipe, seed, trace);
 }
 
-std::string quoted_list(const std::vector<std::string>& words) {
-    std::string text = "[";
-    for (const std::string& word : words) {
-        if (text.size() > 1) text += ",";
-        text += '"';
-        for (const char c : word) text += (c == '"' || c == '\\') ? std::string("\\") + c : std::string(1, c);
-        text += '"';
-    }
-    return text + "]";
-}
-
 std::vector<report::Setting> settings_of(const PusherOptions& options, const std::vector<LearnerRecipe>& recipes) {
     std::vector<std::string> names;
     for (const LearnerRecipe& recipe : recipes) names.push_back(recipe.name());
@@ -121,8 +112,8 @@ std::vector<report::Setting> settings_of(const PusherOptions& options, const std
             {"task", options.task},
             {"starts", options.starts},
             {"noise", report::exact_text(options.noise), false},
-            {"learners", quoted_list(names), false},
-            {"set", quoted_list(options.set), false},
+            {"learners", json_list(names), false},
+            {"set", json_list(options.set), false},
             {"seeds", std::to_string(options.seeds), false},
             {"episodes", std::to_string(options.episodes), false},
             {"steps_per_episode", std::to_string(options.steps_per_episode), false}};
@@ -152,7 +143,7 @@ report::Arena learnt_paths(const PusherOptions& options, const sim::PusherParams
             const bool from_here = std::abs(start.x_m - place.x_m) < 0.2 && std::abs(start.y_m - place.y_m) < 0.2;
             if (!from_here || shown[p]) continue;
             shown[p] = true;
-            episodes[e].name = phase.learners[best].name + ", episode " + std::to_string(e + 1) + " of seed 1";
+            episodes[e].name = phase.learners[best].name + ", episode " + std::to_string(e + 1);
             arena.paths.push_back(std::move(episodes[e]));
             break;
         }

@@ -7,6 +7,7 @@
 
 #include <sspql/learn/action_selector.hpp>
 #include <sspql/learn/q_learning.hpp>
+#include <sspql/learn/reward_model.hpp>
 #include <sspql/learn/sspql.hpp>
 #include <sspql/paths/cost.hpp>
 
@@ -26,6 +27,13 @@ public:
     [[nodiscard]] ActionId operator()(std::size_t actions, const Allowed& allowed, const Score& score,
                                       Random& random) const {
         return std::visit([&](const auto& selector) { return selector(actions, allowed, score, random); }, choice_);
+    }
+
+    template <class Allowed, class Score, class Value>
+    [[nodiscard]] double expectation(std::size_t actions, const Allowed& allowed, const Score& score,
+                                     const Value& value) const {
+        return std::visit([&](const auto& selector) { return selector.expectation(actions, allowed, score, value); },
+                          choice_);
     }
 
 private:
@@ -64,6 +72,10 @@ private:
 };
 
 struct AnyPolicies : ValuePolicies {
+    using Selector = AnySelector;
+};
+
+struct AnyModelPolicies : ModelPolicies {
     using Selector = AnySelector;
 };
 

@@ -1,85 +1,117 @@
 // SPDX-License-Identifier: MIT
 #include "experiment/learner_catalog.hpp"
 
-#include <algorithm>
-#include <array>
 #include <charconv>
 #include <stdexcept>
 #include <utility>
 
-#include <sspql/learn/q_learning.hpp>
-#include <sspql/learn/sspql.hpp>
-
-#include "experiment/any_policies.hpp"
+#include "experiment/options.hpp"
 
 namespace sspql::experiment {
 
 namespace {
 
+using Kind = LearnerKind;
 using Settings = LearnerSettings;
 
-/// A name, whether it has a model (and so takes the keys of SSPQL), and how it differs from the defaults.
+/// A name, its learner, and how its parameters differ from that learner's defaults.
 struct Preset {
     const char* name;
-    bool has_model;
+    Kind kind;
     void (*change)(Settings&);
 };
 
-const std::array<Preset, 7> presets{{
-    {"q", false, [](Settings& s) { s.bonus = 0.0; }},
-    {"q-bonus", false, [](Settings&) {}},
-    {"q-optimistic", false,
+void plain(Settings&) {}
+void with_bonus(Settings& s) { s.bonus = 0.1; }
+void with_model_bonus(Settings& s) {
+    s.bonus = 0.1;
+    s.eta = 1.0;
+}
+
+const Preset presets[] = {
+    {"q", Kind::q_learning, plain},
+    {"q-bonus", Kind::q_learning, with_bonus},
+    {"q-optimistic", Kind::q_learning, [](Settings& s) { s.initial_q = 1.0; }},
+    {"sarsa", Kind::sarsa, plain},
+    {"expected-sarsa", Kind::sarsa, [](Settings& s) { s.expected = true; }},
+    {"dyna-q", Kind::dyna_q, plain},
+    {"dyna-q-bonus", Kind::dyna_q, with_model_bonus},
+    {"dyna-q-last", Kind::dyna_q, [](Settings& s) { s.replay = "last"; }},
+    {"dyna-q-plus", Kind::dyna_q_plus, plain},
+    {"ps", Kind::prioritized_sweeping, plain},
+    {"ps-bonus", Kind::prioritized_sweeping, with_model_bonus},
+    {"ps-optimistic", Kind::prioritized_sweeping,
      [](Settings& s) {
-         s.bonus = 0.0;
          s.initial_q = 1.0;
+         s.cap = 5.0;
+         s.kappa = 0.05;
      }},
-    {"ssp", true,
-     [](Settings& s) {
-         s.w_q = 0.0;
-         s.bonus = 0.0;
-     }},
-    {"sspql", true, [](Settings& s) { s.bonus = 0.0; }},
-    {"sspql-bonus", true, [](Settings&) {}},
-    {"sspql-constant", true,
-     [](Settings& s) {
-         s.bonus = 0.0;
-         s.decay = 0.0;
-     }},
-}};
+    {"rtdp", Kind::rtdp, plain},
+    {"rmax", Kind::r_max, [](Settings& s) { s.initial_q = 1.0; }},
+    {"ssp", Kind::sspql, [](Settings& s) { s.w_q = 0.0; }},
+    {"sspql", Kind::sspql, plain},
+    {"sspql-bonus", Kind::sspql, with_bonus},
+    {"sspql-constant", Kind::sspql, [](Settings& s) { s.decay = 0.0; }},
+};
+
+bool keeps_model(Kind kind) {
+    return kind == Kind::dyna_q || kind == Kind::prioritized_sweeping || kind == Kind::rtdp || kind == Kind::r_max;
+}
+bool plans(Kind kind) {
+    return kind == Kind::dyna_q || kind == Kind::dyna_q_plus || kind == Kind::prioritized_sweeping;
+}
+bool always(Kind) { return true; }
+bool updates_by_rate(Kind kind) {
+    return kind != Kind::prioritized_sweeping && kind != Kind::rtdp && kind != Kind::r_max;
+}
+template <Kind K>
+bool only(Kind kind) {
+    return kind == K;
+}
 
 struct NumberKey {
     const char* name;
     double Settings::*member;
-    bool needs_model;
+    bool (*applies)(Kind);
 };
 
-const std::array<NumberKey, 12> number_keys{{
-    {"gamma", &Settings::gamma, false},
-    {"alpha", &Settings::alpha, false},
-    {"initial_q", &Settings::initial_q, false},
-    {"bonus", &Settings::bonus, false},
-    {"eta", &Settings::eta, false},
-    {"noise", &Settings::noise, false},
-    {"epsilon", &Settings::epsilon, false},
-    {"temperature", &Settings::temperature, false},
-    {"w_q", &Settings::w_q, true},
-    {"w_ssp", &Settings::w_ssp, true},
-    {"decay", &Settings::decay, true},
-    {"lambda", &Settings::lambda, true},
-}};
+const NumberKey number_keys[] = {
+    {"gamma", &Settings::gamma, always},
+    {"alpha", &Settings::alpha, updates_by_rate},
+    {"alpha_decay", &Settings::alpha_decay, updates_by_rate},
+    {"initial_q", &Settings::initial_q, always},
+    {"bonus", &Settings::bonus, always},
+    {"eta", &Settings::eta, always},
+    {"noise", &Settings::noise, always},
+    {"epsilon", &Settings::epsilon, always},
+    {"temperature", &Settings::temperature, always},
+    {"cap", &Settings::cap, keeps_model},
+    {"kappa", &Settings::kappa, keeps_model},
+    {"unknown_value", &Settings::unknown_value, keeps_model},
+    {"k", &Settings::k, plans},
+    {"threshold", &Settings::threshold,
+     [](Kind kind) { return kind == Kind::prioritized_sweeping || kind == Kind::r_max; }},
+    {"time_bonus", &Settings::time_bonus, only<Kind::dyna_q_plus>},
+    {"known_after", &Settings::known_after, only<Kind::r_max>},
+    {"w_q", &Settings::w_q, only<Kind::sspql>},
+    {"w_ssp", &Settings::w_ssp, only<Kind::sspql>},
+    {"decay", &Settings::decay, only<Kind::sspql>},
+    {"lambda", &Settings::lambda, only<Kind::sspql>},
+};
 
 struct WordKey {
     const char* name;
     std::string Settings::*member;
-    bool needs_model;
-    const char* words;  ///< those allowed, each between commas
+    bool (*applies)(Kind);
+    const char* words;  ///< those allowed, between commas
 };
 
-const std::array<WordKey, 3> word_keys{{
-    {"selector", &Settings::selector, false, ",noise,epsilon-greedy,boltzmann,"},
-    {"cost", &Settings::cost, true, ",risk,tries,log-risk,hops,"},
-    {"probability", &Settings::probability, true, ",sum,best,"},
-}};
+const WordKey word_keys[] = {
+    {"selector", &Settings::selector, always, "noise,epsilon-greedy,boltzmann"},
+    {"replay", &Settings::replay, only<Kind::dyna_q>, "counts,last"},
+    {"cost", &Settings::cost, only<Kind::sspql>, "risk,tries,log-risk,hops"},
+    {"probability", &Settings::probability, only<Kind::sspql>, "sum,best"},
+};
 
 std::string joined(const std::vector<std::string>& words) {
     std::string text;
@@ -87,123 +119,78 @@ std::string joined(const std::vector<std::string>& words) {
     return text;
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    std::size_t begin = 0;
-    for (;;) {
-        const std::size_t end = text.find(separator, begin);
-        parts.push_back(text.substr(begin, end - begin));
-        if (end == std::string::npos) return parts;
-        begin = end + 1;
-    }
-}
-
-std::vector<std::string> keys_of(bool has_model) {
-    std::vector<std::string> keys;
-    for (const auto& key : number_keys) {
-        if (has_model || !key.needs_model) keys.emplace_back(key.name);
-    }
-    for (const auto& key : word_keys) {
-        if (has_model || !key.needs_model) keys.emplace_back(key.name);
-    }
-    return keys;
+bool parse_number(const std::string& text, double& value) {
+    const char* end = text.data() + text.size();
+    const auto result = std::from_chars(text.data(), end, value);
+    return result.ec == std::errc{} && result.ptr == end;
 }
 
 [[noreturn]] void refuse(const std::string& assignment, const std::string& why) {
     throw std::invalid_argument("--set " + assignment + ": " + why);
 }
 
-AnySelector selector_of(const Settings& s) {
-    if (s.selector == "epsilon-greedy") return EpsilonGreedy(s.epsilon);
-    if (s.selector == "boltzmann") return Boltzmann(s.temperature);
-    return ActionSelector(s.noise);
+LearnerRecipe recipe_of(const std::string& name) {
+    const std::size_t colon = name.find(':');
+    const std::string base = name.substr(0, colon);
+    for (const Preset& preset : presets) {
+        if (base != preset.name) continue;
+        Settings settings;
+        preset.change(settings);
+        if (colon != std::string::npos) {
+            if (!plans(preset.kind)) throw std::invalid_argument("learner '" + base + "' takes no ':k', got '" + name + "'");
+            if (!parse_number(name.substr(colon + 1), settings.k)) {
+                throw std::invalid_argument("planning steps must be a number after ':', got '" + name + "'");
+            }
+        }
+        return {name, preset.kind, settings};
+    }
+    throw std::invalid_argument("unknown learner '" + name + "'; known are " + joined(learner_names()));
 }
 
-AnyCost cost_of(const Settings& s) {
-    if (s.cost == "tries") return ExpectedTries{};
-    if (s.cost == "log-risk") return LogRisk(s.lambda);
-    if (s.cost == "hops") return HopCount{};
-    return RiskWeighted(s.lambda);
+/// Whether this learner has the key; it is set then.
+bool assign(LearnerRecipe& recipe, const std::string& assignment, const std::string& key, const std::string& value) {
+    for (const NumberKey& known : number_keys) {
+        if (key != known.name || !known.applies(recipe.kind())) continue;
+        if (!parse_number(value, recipe.settings().*known.member)) refuse(assignment, "'" + value + "' is no number");
+        return true;
+    }
+    for (const WordKey& known : word_keys) {
+        if (key != known.name || !known.applies(recipe.kind())) continue;
+        const std::vector<std::string> words = split(known.words, ',');
+        for (const std::string& word : words) {
+            if (value != word) continue;
+            recipe.settings().*known.member = value;
+            return true;
+        }
+        refuse(assignment, "'" + value + "' is none of " + joined(words));
+    }
+    return false;
 }
 
-template <class Params>
-Params common_params(const Settings& s) {
-    Params params;
-    params.gamma = s.gamma;
-    params.alpha = s.alpha;
-    params.initial_q = s.initial_q;
-    params.w_exp = s.bonus;
-    params.bonus = ExplorationBonus(s.eta);
-    params.selector = selector_of(s);
-    return params;
+void apply(std::vector<LearnerRecipe>& recipes, const std::string& assignment) {
+    const std::size_t equals = assignment.find('=');
+    const std::size_t dot = assignment.find('.');
+    if (equals == std::string::npos || dot == std::string::npos || dot > equals) {
+        refuse(assignment, "write it as NAME.key=value, such as sspql.lambda=1 or '*.gamma=.95'");
+    }
+    const std::string name = assignment.substr(0, dot);
+    const std::string key = assignment.substr(dot + 1, equals - dot - 1);
+    const std::string value = assignment.substr(equals + 1);
+    bool assigned = false;
+    const LearnerRecipe* named = nullptr;
+    std::string names;
+    for (LearnerRecipe& recipe : recipes) {
+        names += (names.empty() ? "" : ", ") + recipe.name();
+        if (name != "*" && name != recipe.name()) continue;
+        named = &recipe;
+        if (assign(recipe, assignment, key, value)) assigned = true;
+    }
+    if (named == nullptr) refuse(assignment, "'" + name + "' is none of the learners " + names);
+    if (!assigned && name == "*") refuse(assignment, "none of the learners has a key '" + key + "'");
+    if (!assigned) refuse(assignment, "unknown key '" + key + "'; known are " + joined(keys_of(named->kind())));
 }
 
 }  // namespace
-
-/// Collects assignments into recipes.
-class RecipeBuilder {
-public:
-    static LearnerRecipe start(const std::string& name) {
-        for (const Preset& preset : presets) {
-            if (name != preset.name) continue;
-            LearnerRecipe recipe;
-            recipe.name_ = name;
-            recipe.has_model_ = preset.has_model;
-            preset.change(recipe.settings_);
-            return recipe;
-        }
-        throw std::invalid_argument("unknown learner '" + name + "'; known are " + joined(learner_names()));
-    }
-
-    /// Whether the recipe has this key; sets it then.
-    static bool assign(LearnerRecipe& recipe, const std::string& assignment, const std::string& key,
-                       const std::string& value) {
-        for (const auto& known : number_keys) {
-            if (key != known.name || (known.needs_model && !recipe.has_model_)) continue;
-            recipe.settings_.*known.member = number(assignment, value);
-            return true;
-        }
-        for (const auto& known : word_keys) {
-            if (key != known.name || (known.needs_model && !recipe.has_model_)) continue;
-            const std::string words = known.words;
-            if (value.empty() || value.find(',') != std::string::npos ||
-                words.find("," + value + ",") == std::string::npos) {
-                std::vector<std::string> choices = split(words.substr(1, words.size() - 2), ',');
-                refuse(assignment, "'" + value + "' is none of " + joined(choices));
-            }
-            recipe.settings_.*known.member = value;
-            return true;
-        }
-        return false;
-    }
-
-    static bool has_model(const LearnerRecipe& recipe) { return recipe.has_model_; }
-
-private:
-    static double number(const std::string& assignment, const std::string& text) {
-        double value = 0.0;
-        const char* end = text.data() + text.size();
-        const auto result = std::from_chars(text.data(), end, value);
-        if (result.ec != std::errc{} || result.ptr != end) refuse(assignment, "'" + text + "' is no number");
-        return value;
-    }
-};
-
-std::unique_ptr<AnyLearner> LearnerRecipe::make(std::size_t states, std::size_t actions, std::uint64_t seed) const {
-    if (!has_model_) {
-        using Learner = QLearning<AnyPolicies>;
-        return std::make_unique<LearnerBox<Learner>>(
-            Learner(states, actions, common_params<Learner::Params>(settings_), seed));
-    }
-    using Learner = Sspql<AnySspqlPolicies>;
-    auto params = common_params<Learner::Params>(settings_);
-    params.w_q = settings_.w_q;
-    params.w_ssp = settings_.w_ssp;
-    params.ssp_decay = VisitDecay{settings_.decay};
-    params.cost = cost_of(settings_);
-    if (settings_.probability == "best") params.probability = BestAction{};
-    return std::make_unique<LearnerBox<Learner>>(Learner(states, actions, std::move(params), seed));
-}
 
 std::vector<std::string> learner_names() {
     std::vector<std::string> names;
@@ -211,36 +198,27 @@ std::vector<std::string> learner_names() {
     return names;
 }
 
+std::vector<std::string> keys_of(LearnerKind kind) {
+    std::vector<std::string> keys;
+    for (const NumberKey& key : number_keys) {
+        if (key.applies(kind)) keys.emplace_back(key.name);
+    }
+    for (const WordKey& key : word_keys) {
+        if (key.applies(kind)) keys.emplace_back(key.name);
+    }
+    return keys;
+}
+
 std::vector<LearnerRecipe> learner_recipes(const std::string& names, const std::vector<std::string>& assignments) {
     std::vector<LearnerRecipe> recipes;
+    if (names.empty()) throw std::invalid_argument("no learner named; known are " + joined(learner_names()));
     for (const std::string& name : split(names, ',')) {
-        LearnerRecipe recipe = RecipeBuilder::start(name);
         for (const LearnerRecipe& other : recipes) {
             if (other.name() == name) throw std::invalid_argument("learner '" + name + "' is named twice");
         }
-        recipes.push_back(std::move(recipe));
+        recipes.push_back(recipe_of(name));
     }
-    for (const std::string& assignment : assignments) {
-        const std::size_t equals = assignment.find('=');
-        const std::size_t dot = assignment.find('.');
-        if (equals == std::string::npos || dot == std::string::npos || dot > equals) {
-            refuse(assignment, "write it as NAME.key=value, such as sspql.lambda=1 or '*.gamma=.95'");
-        }
-        const std::string name = assignment.substr(0, dot);
-        const std::string key = assignment.substr(dot + 1, equals - dot - 1);
-        const std::string value = assignment.substr(equals + 1);
-        bool named = false;
-        bool assigned = false;
-        bool model = false;
-        for (LearnerRecipe& recipe : recipes) {
-            if (name != "*" && name != recipe.name()) continue;
-            named = true;
-            model = model || RecipeBuilder::has_model(recipe);
-            if (RecipeBuilder::assign(recipe, assignment, key, value)) assigned = true;
-        }
-        if (!named) refuse(assignment, "'" + name + "' is none of the learners " + names);
-        if (!assigned) refuse(assignment, "unknown key '" + key + "'; known are " + joined(keys_of(model)));
-    }
+    for (const std::string& assignment : assignments) apply(recipes, assignment);
     for (const LearnerRecipe& recipe : recipes) {
         try {
             static_cast<void>(recipe.make(1, 1, 0));

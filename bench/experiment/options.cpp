@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "experiment/options.hpp"
 
+#include <csignal>
 #include <exception>
 #include <iostream>
+#include <sstream>
 
 #include <CLI/CLI.hpp>
 
@@ -75,18 +77,34 @@ void Options::whole(const std::string& name, std::int64_t& value, std::int64_t l
         ->check(check);
 }
 
-void Options::number(const std::string& name, double& value, double least, double most, const std::string& help) {
-    const auto text_of = [](double x) {
-        std::ostringstream out;
-        out << x;
-        return out.str();
-    };
-    const auto check = [=](const std::string& given) {
+namespace {
+
+std::string text_of(double x) {
+    std::ostringstream out;
+    out << x;
+    return out.str();
+}
+
+/// Checks that a text is a number from `least` to `most`; empty if it is.
+auto number_check(const std::string& name, double least, double most) {
+    return [=](const std::string& given) {
         double number = 0.0;
         if (CLI::detail::lexical_cast(given, number) && number >= least && number <= most) return std::string();
         return name + " must be a number from " + text_of(least) + " to " + text_of(most) + ", got '" + given + "'";
     };
-    parser_->app.add_option(name, value, help + " (default " + text_of(value) + ")")->option_text("X")->check(check);
+}
+
+}  // namespace
+
+void Options::number(const std::string& name, double& value, double least, double most, const std::string& help) {
+    parser_->app.add_option(name, value, help + " (default " + text_of(value) + ")")
+        ->option_text("X")
+        ->check(number_check(name, least, most));
+}
+
+void Options::number(const std::string& name, std::optional<double>& value, double least, double most,
+                     const std::string& help) {
+    parser_->app.add_option(name, value, help)->option_text("X")->check(number_check(name, least, most));
 }
 
 void Options::common(CommonOptions& options) {
@@ -103,6 +121,13 @@ void Options::common(CommonOptions& options) {
     app.add_option("--json", options.json, "Write all results as JSON")->option_text("FILE");
     app.add_option("--html", options.html, "Write a report to look at, one self-contained file")->option_text("FILE");
     app.add_option("--csv", options.csv, "Write a row per episode")->option_text("FILE");
+}
+
+void Options::files(const std::string& name, std::vector<std::string>& values, const std::string& help) {
+    const auto check = [](const std::string& path) {
+        return CLI::ExistingFile(path).empty() ? std::string() : "no such file: " + path;
+    };
+    parser_->app.add_option(name, values, help)->required()->option_text("...")->check(check);
 }
 
 void Options::footer(const std::string& text) { parser_->app.footer(text); }
@@ -153,7 +178,34 @@ std::string compiler_name() {
 #endif
 }
 
+std::string json_list(const std::vector<std::string>& words) {
+    std::string text = "[";
+    for (const std::string& word : words) {
+        if (text.size() > 1) text += ",";
+        text += '"';
+        for (const char c : word) {
+            if (c == '"' || c == '\\') text += '\\';
+            text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+        }
+        text += '"';
+    }
+    return text + "]";
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    if (text.empty()) return parts;
+    std::size_t begin = 0;
+    for (;;) {
+        const std::size_t end = text.find(separator, begin);
+        parts.push_back(text.substr(begin, end - begin));
+        if (end == std::string::npos) return parts;
+        begin = end + 1;
+    }
+}
+
 int run_program(const char* program, int (*body)(int, char**), int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error to report, not a way to die
     try {
         return body(argc, argv);
     } catch (const std::exception& error) {

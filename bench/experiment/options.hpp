@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -45,7 +46,12 @@ public:
     void whole(const std::string& name, std::int64_t& value, std::int64_t least, std::int64_t most,
                const std::string& help);
     void number(const std::string& name, double& value, double least, double most, const std::string& help);
+    void number(const std::string& name, std::optional<double>& value, double least, double most,
+                const std::string& help);
     void common(CommonOptions& options);
+
+    /// One or more arguments without an option before them: files that exist.
+    void files(const std::string& name, std::vector<std::string>& values, const std::string& help);
 
     /// A paragraph after the list of options.
     void footer(const std::string& text);
@@ -64,6 +70,12 @@ private:
 
 /// "g++ 12.2.0" or the like.
 [[nodiscard]] std::string compiler_name();
+
+/// ["a","b"]: a list of words as JSON.
+[[nodiscard]] std::string json_list(const std::vector<std::string>& words);
+
+/// The parts of a text between separators: "a,b" and ',' make a and b; an empty text has none.
+[[nodiscard]] std::vector<std::string> split(const std::string& text, char separator);
 
 /// Runs a program's body: what it returns is the exit status; an exception becomes one line "PROGRAM: what" on stderr
 /// and exit status 2.

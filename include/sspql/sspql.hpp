@@ -42,10 +42,16 @@
 // learn: values, selectors, learners, the agent
 #include <sspql/learn/action_selector.hpp>
 #include <sspql/learn/agent.hpp>
+#include <sspql/learn/dyna_q.hpp>
+#include <sspql/learn/dyna_q_plus.hpp>
 #include <sspql/learn/exploration_bonus.hpp>
 #include <sspql/learn/learner.hpp>
+#include <sspql/learn/prioritized_sweeping.hpp>
 #include <sspql/learn/q_learning.hpp>
 #include <sspql/learn/q_table.hpp>
+#include <sspql/learn/r_max.hpp>
+#include <sspql/learn/rtdp.hpp>
+#include <sspql/learn/sarsa.hpp>
 #include <sspql/learn/schedule.hpp>
 #include <sspql/learn/sspql.hpp>
 #include <sspql/learn/value_learner.hpp>

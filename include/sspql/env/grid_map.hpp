@@ -134,8 +134,9 @@ private:
         for (std::size_t i = 0; i < row.size(); ++i) append_cell(row[i], i + 1, lines);
         if (rows_ == 0) columns_ = row.size();
         if (row.size() != columns_) {
-            lines.fail(row.size() < columns_ ? row.size() + 1 : columns_ + 1,
-                       "row has " + std::to_string(row.size()) + " cells, the first row has " + std::to_string(columns_));
+            lines.fail(
+                row.size() < columns_ ? row.size() + 1 : columns_ + 1,
+                "row has " + std::to_string(row.size()) + " cells, the first row has " + std::to_string(columns_));
         }
         ++rows_;
     }

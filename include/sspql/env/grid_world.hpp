@@ -106,7 +106,7 @@ inline void require_one_start(const GridMap& map, const GridRewards& rewards) {
 
 }  // namespace detail
 
-/// Environment: an agent on a GridMap. Observation: its cell's state (EnumState<StateId>(world.size())); command: a Move.
+/// Environment: an agent on a GridMap. Observation: its cell's state (EnumState<StateId>(world.size())). Command: Move.
 ///
 /// With chance `slip` a step goes elsewhere (SlipKind), else where it was sent; against a wall or the edge the agent
 /// stays. A goal ends the episode; so does a hazard, unless it leads back to the start. Episodes start in one of the

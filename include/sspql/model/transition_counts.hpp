@@ -55,6 +55,12 @@ public:
             counts_->cells_.for_each(counts_->pairs_.payload(record_), f);
         }
 
+        /// The cell of (s,a,s'), or nullptr if never observed.
+        [[nodiscard]] const Cell* cell(ActionId a) const noexcept {
+            const Cell* found = counts_->cells_.find(counts_->pairs_.payload(record_), a);
+            return found != nullptr && found->count() > Number{0} ? found : nullptr;
+        }
+
         /// Mean observed weight; 1 unless others were given.
         [[nodiscard]] double weight() const noexcept { return counts_->pairs_.weight(record_); }
 
@@ -147,6 +153,13 @@ public:
     template <class F>
     void for_each_predecessor(StateId s, F&& f) const {
         pairs_.for_each_predecessor(s, f);
+    }
+
+    /// Calls f(StateId predecessor, const Successor& edge) for every state from which s was reached, with what is known
+    /// of the edge into s. O(in-degree x out-degree of the predecessors), out-degrees counting up to 32.
+    template <class F>
+    void for_each_edge_into(StateId s, F&& f) const {
+        pairs_.for_each_predecessor(s, [&](StateId u, double) { f(u, Successor(this, pairs_.find(u, s))); });
     }
 
     /// Writes the label of (s,s'), which is read from s' (for_each_predecessor) and from s (Successor::label).

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -95,8 +96,8 @@ public:
     }
 
     /// The table. O(n log n) in the number of outcomes.
-    /// \throws TransitionTableError for probabilities of an (s,a) that do not sum to 1, or a non-terminal outcome into a
-    /// state without actions; std::invalid_argument for no outcomes at all, 2^32 or more of them, or a start state
+    /// \throws TransitionTableError for probabilities of an (s,a) that do not sum to 1, or a non-terminal outcome into
+    /// a state without actions; std::invalid_argument for no outcomes at all, 2^32 or more of them, or a start state
     /// without actions.
     [[nodiscard]] TransitionTable build() const {
         if (rows_.empty()) throw std::invalid_argument("a transition table needs at least one outcome");
@@ -134,8 +135,8 @@ private:
             } else {
                 table.outcomes_.push_back(outcome);
             }
-            if (!outcome.terminal) continue;
-            table.best_terminal_reward_ = std::max(table.best_terminal_reward_.value_or(outcome.reward), outcome.reward);
+            std::optional<double>& best = table.best_terminal_reward_;
+            if (outcome.terminal) best = std::max(best.value_or(outcome.reward), outcome.reward);
         }
         if (!(std::fabs(sum - 1.0) <= tolerance)) {
             throw TransitionTableError("probabilities of " + name_of(head.s, head.a) +

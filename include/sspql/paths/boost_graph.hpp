@@ -107,6 +107,10 @@ struct graph_traits<sspql::ReverseGraph> {
     static vertex_descriptor null_vertex() { return static_cast<std::size_t>(-1); }
 };
 
+/// Some algorithms (bellman_ford_shortest_paths) take their graph by a reference that deduces const.
+template <>
+struct graph_traits<const sspql::ReverseGraph> : graph_traits<sspql::ReverseGraph> {};
+
 template <>
 struct property_map<sspql::ReverseGraph, edge_weight_t> {
     using type = sspql::detail::EdgeCostMap;

@@ -24,6 +24,11 @@ public:
         items_.reserve(n);
     }
 
+    /// Room for vertices 0 .. n-1; what is queued stays.
+    void grow(std::size_t n) {
+        if (place_.size() < n) place_.resize(n);
+    }
+
     [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
     [[nodiscard]] std::size_t size() const noexcept { return items_.size(); }
 

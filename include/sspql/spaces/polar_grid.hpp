@@ -19,7 +19,7 @@ namespace sspql {
 /// Sector k is centred on the angle k * 360 / sectors degrees, measured from +x towards +y: sector 0 points along +x.
 /// Ring r holds distances in [edge[r-1], edge[r]); the last ring has no outer edge, so there is one ring more than
 /// edges. Id = ring * sectors + sector. `encode` is O(rings), allocates nothing and throws std::invalid_argument for
-/// NaN or infinite values; the origin itself counts as angle 0.
+/// NaN or infinite values and for a vector of fewer than two; the origin itself counts as angle 0.
 ///
 /// \throws std::invalid_argument for no sectors, or edges that are not finite, positive and increasing.
 class PolarGrid {
@@ -42,6 +42,7 @@ public:
     template <class Observation>
     [[nodiscard]] auto encode(const Observation& position) const
         -> decltype(static_cast<double>(position[0]) + static_cast<double>(position[1]), StateId{}) {
+        detail::require_numbers(position, 2);
         const double x = require_finite("x", static_cast<double>(position[0]));
         const double y = require_finite("y", static_cast<double>(position[1]));
         return state_id(ring_of(std::hypot(x, y)) * sectors_ + sector_of(std::atan2(y, x)));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include <sspql/core/concepts.hpp>
+#include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 
 /// \file
@@ -71,6 +72,18 @@ namespace detail {
 inline StateId require_state_of(StateId s, std::size_t size) {
     if (index(s) >= size) throw_invalid("state", "be below the number of states " + std::to_string(size), index(s));
     return s;
+}
+
+/// Throws std::invalid_argument if `values` knows its size and has fewer than `n` numbers.
+template <class Values>
+void require_numbers(const Values& values, std::size_t n) {
+    if constexpr (is_detected_convertible_v<std::size_t, SizeExpression, Values>) {
+        const auto size = static_cast<std::size_t>(values.size());
+        if (size < n) throw_invalid("observation", "have at least " + std::to_string(n) + " numbers", size);
+    } else {
+        static_cast<void>(values);
+        static_cast<void>(n);
+    }
 }
 
 }  // namespace detail

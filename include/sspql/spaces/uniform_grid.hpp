@@ -26,7 +26,7 @@ struct GridAxis {
 /// (std::array<double, N>, std::vector<double>, an Eigen vector); use ProjectedState to pick them out of a struct.
 ///
 /// Ids run row by row, last dimension fastest. `encode` is O(N), allocates nothing and throws std::invalid_argument
-/// for NaN or infinite values (a broken sensor must not look like a place).
+/// for NaN or infinite values (a broken sensor must not look like a place) and for a vector of fewer than N numbers.
 ///
 /// \throws std::invalid_argument for an empty, reversed or non-finite range, no cells, or more than 2^32 - 2 boxes.
 template <std::size_t N>
@@ -53,6 +53,7 @@ public:
 
     template <class Observation>
     [[nodiscard]] auto encode(const Observation& values) const -> decltype(static_cast<double>(values[0]), StateId{}) {
+        detail::require_numbers(values, N);
         std::size_t id = 0;
         for (std::size_t i = 0; i < N; ++i) id = id * axes_[i].cells + cell(axes_[i], static_cast<double>(values[i]));
         return state_id(id);

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <sspql/core/ids.hpp>
+#include <sspql/learn/last_outcomes.hpp>
+#include <sspql/learn/model_learner.hpp>
+#include <sspql/learn/q_update.hpp>
+
+namespace sspql {
+
+template <class Policies>
+class DynaQ;
+
+/// What a planning step of Dyna-Q replays.
+enum class Replay {
+    from_counts,  ///< an outcome drawn with its observed frequency, mean reward
+    last_outcome  ///< what happened last, as in Sutton and Barto's deterministic mazes
+};
+
+/// Parameters of DynaQ.
+template <class Policies = ModelPolicies>
+struct DynaQParams : ModelParams<Policies> {
+    using Learner = DynaQ<Policies>;
+
+    std::size_t planning_steps = 10;  ///< k
+    Replay replay = Replay::from_counts;
+};
+
+/// Dyna-Q (Sutton 1990): after each real step, k planning steps: a (s,a) tried before, uniformly at random, an outcome
+/// from the model, and the update of eq. 1 with it. With a pseudo-count kappa the outcome is `unknown_value` with
+/// probability kappa / (N + kappa).
+///
+/// Interface, errors and threads: Learner. A planning step is O(out-degree + |A|).
+template <class Policies = ModelPolicies>
+class DynaQ : public ModelLearner<DynaQ<Policies>, Policies, DynaQParams<Policies>> {
+    using Base = ModelLearner<DynaQ, Policies, DynaQParams<Policies>>;
+    friend Base;
+    friend ValueLearner<DynaQ, Policies, DynaQParams<Policies>>;
+    friend Learner<DynaQ, typename Policies::LegalActions>;
+
+public:
+    using Params = DynaQParams<Policies>;
+
+    /// \throws std::invalid_argument for no states or actions, or parameters out of range.
+    DynaQ(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
+        : Base(states, actions, std::move(params), seed), last_(actions) {}
+
+    void reserve(std::size_t states, std::size_t pairs = 0) {
+        Base::reserve(states, pairs);
+        last_.reserve(states);
+    }
+
+private:
+    void learn(const Transition& t) {
+        Base::remember(t);
+        last_.observe(t);
+        update(t);
+        for (std::size_t k = 0; k < this->params_.planning_steps; ++k) plan();
+    }
+
+    void plan() {
+        const Transition& seen = last_.tried(this->random_.below(last_.size()));
+        if (this->params_.replay == Replay::last_outcome) {
+            this->model_.count_operation();
+            update(seen);
+            return;
+        }
+        if (this->params_.kappa > 0.0) {
+            const double n = this->model_.counts().n(seen.state, seen.action);
+            if (this->random_.chance(this->params_.kappa / (n + this->params_.kappa))) {
+                this->model_.count_operation();
+                update({seen.state, seen.action, this->params_.unknown_value, seen.state, true, 1.0});
+                return;
+            }
+        }
+        update(this->model_.sample(seen.state, seen.action, this->random_));
+    }
+
+    void update(const Transition& t) {
+        q_update(this->q_, t, this->params_.alpha(this->visits_(t.state, t.action)), this->params_.gamma,
+                 Base::legal());
+    }
+
+    LastOutcomes last_;
+};
+
+}  // namespace sspql

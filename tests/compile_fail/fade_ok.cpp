@@ -1,0 +1,7 @@
+// SPDX-License-Identifier: MIT
+#include <sspql/sspql.hpp>
+
+int main() {
+    sspql::TransitionCounts<sspql::FadingCell> counts(4, 2);
+    counts.fade(sspql::state_id(0), sspql::action_id(0), 0.5, 0.01);
+}

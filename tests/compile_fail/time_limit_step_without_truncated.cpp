@@ -1,0 +1,20 @@
+// expect: sspql: `environment.step(command)` must return the members observation, reward, terminated and truncated (sspql::Step<Observation> has them)
+// SPDX-License-Identifier: MIT
+#include <sspql/sspql.hpp>
+
+struct GymStep {
+    int observation;
+    double reward;
+    bool terminated;
+};
+struct Corridor {
+    int at = 0;
+    int reset(std::uint64_t) { return at = 0; }
+    GymStep step(int move) { return {at += move, 0.0, at == 7}; }
+};
+
+int main() {
+    sspql::TimeLimit limited(Corridor{}, 100);
+    sspql::Agent robot(sspql::EnumState<int>(8), sspql::ActionTable<int>{-1, 1});
+    (void)sspql::run_episode(limited, robot, 1);
+}
