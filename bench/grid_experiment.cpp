@@ -264,7 +264,8 @@ bool parse(GridOptions& options, int argc, char** argv) {
     std::string learners;
     for (const std::string& name : learner_names()) learners += " " + name;
     parser.footer("Maps: " + names + "; in a file: . free, # wall, G goal, S start, H hazard\nLearners:" + learners +
-                  "; dyna-q:20 and the like set k");
+                  "; dyna-q:20 and the like set k"
+                  "\nKeys of --set: an unknown one is answered with those the learner has");
     return parser.parse(argc, argv);
 }
 

@@ -3,6 +3,7 @@
 // How many steps does each learner need until the robot knows its way behind the box? Table 1 and Figs. 8 to 12 of Kwon,
 // Suh and Lee (2011), on a simulated robot: pusher_experiment --help
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <iostream>
@@ -36,6 +37,8 @@ struct PusherOptions : CommonOptions {
     std::string backend = "box2d";
     std::string task = "approach";
     std::string starts = "two";
+    std::string arena_svg;
+    std::string curves_svg;
     double noise = 1.0;
 
     PusherOptions() {
@@ -161,11 +164,13 @@ int body(int argc, char** argv) {
     parser.number("--noise", options.noise, 0.0, 10.0, "Actuator noise, as a multiple of the study's");
     parser.choice("--starts", options.starts, {"one", "two"}, "Starting places of 'approach'");
     parser.common(options);
+    parser.text("--arena-svg", options.arena_svg, "Write the picture of the arena and the learnt paths");
+    parser.text("--curves-svg", options.curves_svg, "Write the picture of the learning curves");
     std::string names;
     for (const std::string& name : learner_names()) names += " " + name;
     parser.footer("Learners:" + names +
-                  "\nKeys of --set: gamma alpha initial_q bonus eta noise selector epsilon temperature; with a model "
-                  "also w_q w_ssp decay lambda cost probability");
+                  "; dyna-q:20 and the like set k"
+                  "\nKeys of --set: an unknown one is answered with those the learner has");
     if (!parser.parse(argc, argv)) return 0;
 
     const std::vector<LearnerRecipe> recipes = learner_recipes(options.learners, options.set);
@@ -173,7 +178,7 @@ int body(int argc, char** argv) {
     params.noise = options.noise;
     params.starts = options.starts == "one" ? sim::Starts::one : sim::Starts::two;
     params.validate();
-    for (const std::string* path : {&options.json, &options.html, &options.csv}) {
+    for (const std::string* path : {&options.json, &options.html, &options.csv, &options.arena_svg, &options.curves_svg}) {
         if (!path->empty()) report::require_writable(*path);
     }
 
@@ -189,6 +194,7 @@ int body(int argc, char** argv) {
     for (const LearnerRecipe& recipe : recipes) {
         phase.learners.push_back({recipe.name(), std::vector<report::SeedRun>(seeds)});
     }
+    const bool drawn = !options.html.empty() || !options.arena_svg.empty() || !options.curves_svg.empty();
     std::vector<Trace> traces(recipes.size());
     {
         report::Progress progress("pusher_experiment", recipes.size() * seeds);
@@ -196,7 +202,7 @@ int body(int argc, char** argv) {
         parallel_for(recipes.size() * seeds, static_cast<std::size_t>(options.threads), [&](std::size_t i) {
             const std::size_t learner = i % recipes.size();
             const std::size_t k = i / recipes.size();
-            Trace* trace = k == 0 && !options.html.empty() ? &traces[learner] : nullptr;
+            Trace* trace = k == 0 && drawn ? &traces[learner] : nullptr;
             phase.learners[learner].runs[k] =
                 options.backend == "box2d"
                     ? run_one<sim::Box2dBackend>(options, params, recipes[learner], k + 1, trace)
@@ -208,8 +214,12 @@ int body(int argc, char** argv) {
     std::cout << report::table_text(results) << std::flush;
     if (!options.json.empty()) report::write_file(options.json, report::json_report(results));
     if (!options.csv.empty()) report::write_file(options.csv, report::csv_report(results));
-    if (!options.html.empty()) {
-        report::write_file(options.html, report::pusher_report(results, learnt_paths(options, params, phase, traces)));
+    if (drawn) {
+        const report::Arena arena = learnt_paths(options, params, phase, traces);
+        const report::PusherPictures pictures = report::pusher_pictures(results, arena);
+        if (!options.html.empty()) report::write_file(options.html, report::pusher_report(results, arena));
+        if (!options.arena_svg.empty()) report::write_file(options.arena_svg, pictures.arena.document());
+        if (!options.curves_svg.empty()) report::write_file(options.curves_svg, pictures.curves.document());
     }
     return std::cout.good() ? 0 : 2;
 }

@@ -84,8 +84,9 @@ requirements() { # architecture
 
 for tool in dpkg dpkg-query apt-get; do
     if ! command -v $tool >/dev/null 2>&1; then
-        echo "bootstrap: no $tool: this installs packages on Debian and its relatives only. Elsewhere install these yourself," >&2
-        echo "bootstrap: then run the cmake command alone:" $(requirements none | sed 's/ .*//') >&2
+        echo "bootstrap: no $tool: this installs packages on Debian and its relatives only." >&2
+        echo "bootstrap: elsewhere install these yourself, then run the cmake command alone:" \
+            $(requirements none | sed 's/ .*//') >&2
         exit 1
     fi
 done

@@ -48,7 +48,7 @@ Options::Options(const std::string& program, const std::string& description) : p
 Options::~Options() = default;
 
 void Options::text(const std::string& name, std::string& value, const std::string& help) {
-    parser_->app.add_option(name, value, help)->option_text("TEXT")->capture_default_str();
+    parser_->app.add_option(name, value, help)->option_text("TEXT");
 }
 
 void Options::choice(const std::string& name, std::string& value, const std::vector<std::string>& choices,

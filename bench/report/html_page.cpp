@@ -45,6 +45,7 @@ figcaption{font-size:.875rem;color:var(--faint);line-height:1.45;margin-top:.5re
 .wide svg{min-width:26rem;max-width:44rem}
 .row{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(24rem,100%),1fr));gap:.6rem 1.6rem}
 .row figure{margin:.5rem 0}
+.pictures{display:grid;grid-template-columns:repeat(auto-fill,minmax(min(12.5rem,45%),1fr));gap:1rem 1.1rem;margin:1rem 0}
 footer{margin-top:2.6rem;padding-bottom:2.5rem;font-size:.875rem}
 footer div{border-top:1px solid var(--rule);padding-top:.9rem}
 dl{display:grid;grid-template-columns:max-content 1fr;gap:.15rem 1rem;margin:0}
@@ -55,7 +56,7 @@ code{font-family:ui-monospace,'SF Mono',Menlo,Consolas,'DejaVu Sans Mono',monosp
 @page{margin:16mm}
 body{font-size:10.5pt}
 main,footer{max-width:none;padding:0}
-figure,tr{break-inside:avoid}
+figure,tr,.pictures div{break-inside:avoid}
 h2{break-after:avoid}
 .scroll{overflow:visible}
 .wide svg{min-width:0}
@@ -143,6 +144,12 @@ void HtmlPage::figure(const HtmlFigure& figure) { body_ += figure_element(figure
 void HtmlPage::figure_row(const std::vector<HtmlFigure>& figures) {
     body_ += "<div class=\"row\">\n";
     for (const HtmlFigure& figure : figures) body_ += figure_element(figure, "");
+    body_ += "</div>\n";
+}
+
+void HtmlPage::picture_row(const std::vector<Svg>& pictures) {
+    body_ += "<div class=\"pictures\">\n";
+    for (const Svg& picture : pictures) body_ += "<div>" + picture.element() + "</div>\n";
     body_ += "</div>\n";
 }
 

@@ -47,6 +47,7 @@ public:
     void table(const HtmlTable& table);
     void figure(const HtmlFigure& figure);
     void figure_row(const std::vector<HtmlFigure>& figures);  ///< beside each other where there is room
+    void picture_row(const std::vector<Svg>& pictures);       ///< many small ones, without captions
 
     /// The page, with a footer from which it can be made again.
     [[nodiscard]] std::string text(const Manifest& manifest, const std::vector<Setting>& settings) const;

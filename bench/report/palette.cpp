@@ -14,7 +14,7 @@ struct Entry {
 };
 
 /// In the order of Ink.
-constexpr std::array<Entry, 23> entries{{
+constexpr std::array<Entry, 24> entries{{
     {"none", "none", "none"},           {"paper", "#FFFFFF", "#15181C"},       {"text", "#1B1F24", "#E8EAED"},
     {"faint", "#59636E", "#A3ADB8"},    {"axis", "#8A949E", "#6F7A86"},        {"grid", "#E4E8EC", "#2B3138"},
     {"series0", "#D55E00", "#FF8A45"},  {"series1", "#B65F92", "#E39AC4"},     {"series2", "#0072B2", "#4BA3EC"},
@@ -23,6 +23,7 @@ constexpr std::array<Entry, 23> entries{{
     {"wall", "#3C444D", "#8C97A3"},     {"goal", "#F6CF65", "#8A6A14"},        {"goal-edge", "#9A6F00", "#F2C14E"},
     {"region", "#8FD9C0", "#1E6B55"},   {"region-text", "#00664A", "#8FE8CB"}, {"box", "#D9AE78", "#9A7040"},
     {"box-edge", "#6E4A1C", "#EBCB9E"}, {"robot", "#DFE6EE", "#3B4550"},
+    {"value", "#3D9BD8", "#2A74B4"},
 }};
 
 const Entry& entry(Ink ink) noexcept { return entries[static_cast<std::size_t>(ink)]; }

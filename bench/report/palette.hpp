@@ -37,6 +37,7 @@ enum class Ink {
     box,
     box_edge,
     robot,
+    value,  ///< of a cell: the stronger, the greater
 };
 
 inline constexpr std::size_t series_inks = 8;

@@ -85,17 +85,24 @@ std::string figure_reference(const Study& study, const std::string& learner) {
     return row != nullptr ? " Compare the paper's " + std::string(row->figure) + "." : " Not in the paper.";
 }
 
+/// All learners' curves with a band of one standard error to both sides.
+LineChart joint_chart(const Study& study) {
+    LineChart joint = curves_chart(study);
+    for (std::size_t i = 0; study.seeds > 1 && i < study.learners.size(); ++i) {
+        for (const double deviation : study.learners[i].curve.deviation) {
+            joint.series[i].spread.push_back(deviation / std::sqrt(static_cast<double>(study.learners[i].seeds)));
+        }
+    }
+    return joint;
+}
+
 void add_curves(HtmlPage& page, const Study& study) {
     page.section("Learning curves");
     const bool varies = study.seeds > 1;
-    LineChart joint = curves_chart(study);
-    LineChart spread = joint;
+    const LineChart joint = joint_chart(study);
+    LineChart spread = curves_chart(study);
     for (std::size_t i = 0; varies && i < study.learners.size(); ++i) {
-        const std::vector<double>& deviations = study.learners[i].curve.deviation;
-        spread.series[i].spread = deviations;
-        for (const double deviation : deviations) {
-            joint.series[i].spread.push_back(deviation / std::sqrt(static_cast<double>(study.learners[i].seeds)));
-        }
+        spread.series[i].spread = study.learners[i].curve.deviation;
     }
     const std::string seeds = varies ? "mean over " + count_text(study.seeds, "seed") : "one seed";
     page.figure({line_chart(joint),
@@ -116,21 +123,24 @@ bool is_path_of(const std::string& path, const std::string& learner) {
     return path.size() == learner.size() || path[learner.size()] == ' ' || path[learner.size()] == ',';
 }
 
-void add_arena(HtmlPage& page, const Study& study, Arena arena) {
-    if (arena.inks.empty()) {
-        for (std::size_t p = 0; p < arena.paths.size(); ++p) {
-            arena.inks.push_back(series_ink(p));
-            for (std::size_t i = 0; i < study.learners.size(); ++i) {
-                if (is_path_of(arena.paths[p].name, study.learners[i].name)) arena.inks[p] = series_ink(i);
-            }
+/// A learner's paths have its colour.
+Svg inked_arena(const Study& study, Arena arena) {
+    for (std::size_t p = arena.inks.size(); p < arena.paths.size(); ++p) {
+        arena.inks.push_back(series_ink(p));
+        for (std::size_t i = 0; i < study.learners.size(); ++i) {
+            if (is_path_of(arena.paths[p].name, study.learners[i].name)) arena.inks[p] = series_ink(i);
         }
     }
+    return arena_picture(arena);
+}
+
+void add_arena(HtmlPage& page, const Study& study, const Arena& arena) {
     page.section("The arena");
     std::string caption =
         "Seen from above. The robot keeps inside the fence about the box; its position is known as "
         "one of the cells (sector and ring), its heading as one of 12.";
     if (!arena.paths.empty()) caption += " A dot is a step's end, its tick the heading.";
-    page.figure({arena_picture(arena), caption});
+    page.figure({inked_arena(study, arena), caption});
 }
 
 void add_honest_part(HtmlPage& page, const Study& study) {
@@ -189,6 +199,11 @@ std::string pusher_report(const ExperimentResults& results, const Arena& arena) 
     if (study.task != "turn" || !arena.paths.empty()) add_arena(page, study, arena);
     add_honest_part(page, study);
     return page.text(results.manifest, results.settings);
+}
+
+PusherPictures pusher_pictures(const ExperimentResults& results, const Arena& arena) {
+    const Study study = study_of(results);
+    return {inked_arena(study, arena), line_chart(joint_chart(study))};
 }
 
 }  // namespace sspql::report

@@ -16,4 +16,13 @@ namespace sspql::report {
 /// \throws std::invalid_argument if the results have no phase or their first phase no learner.
 [[nodiscard]] std::string pusher_report(const ExperimentResults& results, const Arena& arena);
 
+/// The page's pictures, to be used elsewhere.
+struct PusherPictures {
+    Svg arena;
+    Svg curves;  ///< of all learners, with standard errors
+};
+
+/// \throws std::invalid_argument as pusher_report does.
+[[nodiscard]] PusherPictures pusher_pictures(const ExperimentResults& results, const Arena& arena);
+
 }  // namespace sspql::report

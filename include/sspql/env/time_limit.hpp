@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include <sspql/core/errors.hpp>
@@ -23,13 +24,14 @@ public:
         if (max_steps == 0) throw_invalid("max_steps", "be at least 1", max_steps);
     }
 
-    auto reset(std::uint64_t seed) {
+    template <class E = Environment>
+    auto reset(std::uint64_t seed) -> std::decay_t<decltype(std::declval<E&>().reset(seed))> {
         steps_ = 0;
         return environment_.reset(seed);
     }
 
-    template <class Command>
-    auto step(const Command& command) {
+    template <class Command, class E = Environment>
+    auto step(const Command& command) -> std::decay_t<decltype(std::declval<E&>().step(command))> {
         auto result = environment_.step(command);
         ++steps_;
         if (steps_ >= max_steps_) result.truncated = true;

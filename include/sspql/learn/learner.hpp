@@ -128,7 +128,7 @@ public:
         if (mask.size() != actions_) throw_invalid("size of the mask", "be " + std::to_string(actions_), mask.size());
         if (mask.is_empty()) throw_invalid("mask of state " + std::to_string(index(s)), "allow an action; actions", 0);
         grow_to(states);
-        legal_.set(s, mask);
+        if constexpr (stores_masks_v<L>) legal_.set(s, mask);  // else the static_assert stays the only error
     }
 
     /// Adds states up to `states` in all, for a learner that grows. \throws std::invalid_argument if it does not grow.

@@ -97,6 +97,9 @@ class Sspql : public ValueLearner<Sspql<Policies>, Policies, SspqlParams<Policie
     using Base = ValueLearner<Sspql, Policies, SspqlParams<Policies>>;
     friend Base;
     friend Learner<Sspql, typename Policies::LegalActions>;
+    static_assert(is_queue_v<typename Policies::Queue>,
+                  "sspql: this Queue lacks one of prepare(n, least_cost, greatest_cost), push(vertex, key), "
+                  "decrease(vertex, key), pop() -> vertex, empty()");
 
 public:
     using Params = SspqlParams<Policies>;

@@ -175,12 +175,13 @@ public:
     void fade(StateId s, ActionId a, double factor, double least) {
         static_assert(!std::is_integral_v<typename C::Number>,
                       "sspql: integer counts cannot fade; use TransitionCounts<FadingCell>");
+        SSPQL_ASSERT(factor >= 0.0 && factor <= 1.0 && least >= 0.0, "fading never adds");
         Number total{0};
         for (std::uint32_t i = 0; i < pairs_.out_size(s);) {
             const std::uint32_t at = pairs_.out_begin(s) + i;
             C* found = cells_.find(pairs_.payload(at), a);
             if (found != nullptr) {
-                found->scale(factor);
+                if constexpr (!std::is_integral_v<typename C::Number>) found->scale(factor);
                 if (found->count() < least) *found = Cell{};
                 total += found->count();
                 if (cells_.vacant(pairs_.payload(at))) {

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include <sspql/core/assert.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/model/probability.hpp>
 #include <sspql/model/transition_counts.hpp>
@@ -23,6 +24,7 @@ public:
     /// none of those was seen to lead to next(s), the state has no value. O(n + sum of out-degrees).
     template <class Cell, class LegalActions>
     void assign(const TransitionCounts<Cell>& counts, const ShortestPathTree& tree, const LegalActions& legal) {
+        SSPQL_ASSERT(tree.size() <= counts.states(), "the tree is one of these counts");
         action_.assign(tree.size(), no_action);
         value_.assign(tree.size(), 0.0);
         for (std::size_t s = 0; s < tree.size(); ++s) {

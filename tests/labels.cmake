@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: MIT
+# Read by ctest: labels of the discovered tests (the variables test_FOLDER_TESTS) by their suites' names.
+foreach(folder IN LISTS folders)
+  foreach(test IN LISTS test_${folder}_TESTS)
+    string(REGEX REPLACE "\\.[^.]*$" "" suite "${test}")
+    set(labels ${folder})
+    if(suite MATCHES "Slow")
+      list(APPEND labels slow)
+      set_tests_properties("${test}" PROPERTIES TIMEOUT 600)
+    else()
+      list(APPEND labels fast)
+    endif()
+    if(suite MATCHES "Threads")
+      list(APPEND labels threads)
+    endif()
+    set_tests_properties("${test}" PROPERTIES LABELS "${labels}")
+  endforeach()
+endforeach()

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+// Replaces operator new for the whole program: nothing else may stand here.
+#include <sspql/learn/learner.hpp>
+
+#include <atomic>
+#include <cstddef>
+#include <cstdlib>
+#include <new>
+
+#include "learn/learner_testing.hpp"
+
+namespace {
+
+std::atomic<std::size_t> allocations{0};
+
+}  // namespace
+
+void* operator new(std::size_t bytes) {
+    ++allocations;
+    if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
+    throw std::bad_alloc();
+}
+void* operator new[](std::size_t bytes) { return ::operator new(bytes); }
+// Not inlined: g++ takes a visible free() of what new returned for a mistake.
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete[](void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+
+using namespace sspql;
+using namespace sspql::testing;
+
+template <class L>
+class LearnerAllocation : public ::testing::Test {};
+TYPED_TEST_SUITE(LearnerAllocation, LearnersUnderTest, LearnerNames);
+
+TYPED_TEST(LearnerAllocation, StepsAllocateNothingAfterReserve) {
+    constexpr std::size_t states = 500;
+    TypeParam learner(StateCount::growing(), 4, {}, 1);
+    learner.reserve(states);
+    Random world(1);
+    for (int episode = 0; episode < 5; ++episode) {
+        const std::size_t before = allocations;
+        (void)learner.begin(state_id(0));
+        for (int k = 0; k < 600; ++k) {
+            const std::size_t s = index(learner.state());  // goes to s + 1, itself or s / 2
+            const std::size_t next = world.chance(0.98) ? s + 1 : world.chance(0.5) ? s : s / 2;
+            if (next == states) break;
+            (void)learner.step(world.uniform(), state_id(next));
+        }
+        EXPECT_EQ(allocations - before, 0u) << "episode " << episode;
+        learner.end(0.0, state_id(0), false);
+    }
+    EXPECT_GT(learner.states(), 100u);
+}
+
+TYPED_TEST(LearnerAllocation, LookingAllocatesNothing) {
+    TypeParam learner(10, 4);
+    const std::size_t before = allocations;
+    for (std::size_t s = 0; s < 10; ++s) {
+        (void)learner.best(state_id(s));
+        (void)learner.terms(state_id(s), action_id(1)).sum();
+    }
+    EXPECT_EQ(allocations, before);
+}
