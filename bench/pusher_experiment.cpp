@@ -3,6 +3,7 @@
 // How many steps does each learner need until the robot knows its way behind the box? Table 1 and Figs. 8 to 12 of Kwon,
 // Suh and Lee (2011), on a simulated robot: pusher_experiment --help
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -122,10 +123,25 @@ std::vector<report::Setting> settings_of(const PusherOptions& options, const std
             {"steps_per_episode", std::to_string(options.steps_per_episode), false}};
 }
 
-/// The last episode of the first seed from each starting place, for the learner that needed the fewest steps.
+/// Which starting place an episode began at: the nearest.
+std::size_t start_of(const report::ArenaPath& episode, const sim::PusherParams& params) {
+    const report::ArenaPose& pose = episode.poses.front();
+    const auto distance = [&](std::size_t p) {
+        return std::hypot(pose.x_m - params.start_places[p].x_m, pose.y_m - params.start_places[p].y_m);
+    };
+    std::size_t nearest = 0;
+    for (std::size_t p = 1; p < params.start_places.size(); ++p) {
+        if (distance(p) < distance(nearest)) nearest = p;
+    }
+    return nearest;
+}
+
+/// For the learner that needed the fewest steps, from each starting place: of the last ten episodes of the first seed the
+/// one of median length.
 report::Arena learnt_paths(const PusherOptions& options, const sim::PusherParams& params,
-                           const report::PhaseRuns& phase, std::vector<Trace>& traces) {
+                           const report::PhaseRuns& phase, const std::vector<Trace>& traces) {
     report::Arena arena;
+    if (options.task == "turn") return arena;
     std::size_t best = 0;
     std::uint64_t best_steps = 0;
     for (std::size_t i = 0; i < phase.learners.size(); ++i) {
@@ -136,20 +152,20 @@ report::Arena learnt_paths(const PusherOptions& options, const sim::PusherParams
             best_steps = steps;
         }
     }
-    if (options.task == "turn") return arena;
-    std::vector<bool> shown(params.start_places.size(), false);
-    auto& episodes = traces[best].episodes;
-    for (std::size_t e = episodes.size(); e-- > 0;) {
-        const report::ArenaPose& start = episodes[e].poses.front();
-        for (std::size_t p = 0; p < params.start_places.size(); ++p) {
-            const sim::Pose& place = params.start_places[p];
-            const bool from_here = std::abs(start.x_m - place.x_m) < 0.2 && std::abs(start.y_m - place.y_m) < 0.2;
-            if (!from_here || shown[p]) continue;
-            shown[p] = true;
-            episodes[e].name = phase.learners[best].name + ", episode " + std::to_string(e + 1);
-            arena.paths.push_back(std::move(episodes[e]));
-            break;
+    const std::vector<report::ArenaPath>& episodes = traces[best].episodes;
+    for (std::size_t p = 0; p < params.start_places.size(); ++p) {
+        std::vector<std::size_t> from_here;
+        for (std::size_t e = episodes.size(); e-- > 0 && from_here.size() < 10;) {
+            if (start_of(episodes[e], params) == p) from_here.push_back(e);
         }
+        if (from_here.empty()) continue;
+        std::sort(from_here.begin(), from_here.end(), [&](std::size_t a, std::size_t b) {
+            return episodes[a].poses.size() != episodes[b].poses.size() ? episodes[a].poses.size() < episodes[b].poses.size()
+                                                                        : a < b;
+        });
+        const std::size_t typical = from_here[(from_here.size() - 1) / 2];
+        arena.paths.push_back(episodes[typical]);
+        arena.paths.back().name = phase.learners[best].name + ", episode " + std::to_string(typical + 1);
     }
     return arena;
 }

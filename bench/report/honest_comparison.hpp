@@ -33,6 +33,7 @@ struct ComparisonSection {
     std::string heading{};
     std::string intro{};
     std::vector<Statement> statements{};
+    bool side_by_side = false;  ///< the statements have the same findings, but for the verdicts: one table row for each
 };
 
 /// All statements against these runs, in the paper's order. A statement that no run bears on has no finding, or only

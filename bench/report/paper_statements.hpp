@@ -39,6 +39,10 @@ enum class TaskKind { grid, chain, maze, approach, turn, other };
 /// k of a learner that plans: its suffix (":20"), or --set, or the default.
 [[nodiscard]] std::string planning_steps(const RecordedRun& run, const std::string& learner);
 
+/// Of a phase, mean over seeds. Of a task counted in steps only `episodes` that every seed has are recorded; where each
+/// goal gives reward 1 (the mazes), the reward counts the others too; elsewhere it is NaN.
+[[nodiscard]] double recorded_episodes(const RecordedPhase& phase, const LearnerStatistics& learner);
+
 /// Over all phases and seeds.
 [[nodiscard]] double steps_per_episode(const RecordedRun& run, const std::string& learner);
 

@@ -139,7 +139,11 @@ void add_arena(HtmlPage& page, const Study& study, const Arena& arena) {
     std::string caption =
         "Seen from above. The robot keeps inside the fence about the box; its position is known as "
         "one of the cells (sector and ring), its heading as one of 12.";
-    if (!arena.paths.empty()) caption += " A dot is a step's end, its tick the heading.";
+    if (!arena.paths.empty()) {
+        caption +=
+            " A path is, of the last ten episodes from that start in the first seed's run, the one of median length; a "
+            "dot is a step's end, its tick the heading.";
+    }
     page.figure({inked_arena(study, arena), caption});
 }
 
