@@ -170,6 +170,7 @@ report::GridPicture picture_of(const GridMap& map, const AnyLearner& learner) {
     report::GridPicture picture;
     picture.rows = map.rows();
     picture.columns = map.columns();
+    picture.value_name = "Q, and Q_SSP where there is one";
     for (std::size_t i = 0; i < map.size(); ++i) {
         report::GridPictureCell cell;
         const StateId s = state_id(i);
@@ -245,7 +246,8 @@ std::vector<report::Setting> settings_of(const GridOptions& options, const std::
             {"seeds", std::to_string(options.seeds), false},
             {"episodes", std::to_string(options.episodes), false},
             {"steps_per_episode", std::to_string(options.steps_per_episode), false},
-            {"total_steps", std::to_string(options.total_steps), false}};
+            {"total_steps", std::to_string(options.total_steps), false},
+            {"report_at", options.report_at}};
 }
 
 bool parse(GridOptions& options, int argc, char** argv) {

@@ -19,10 +19,9 @@ using namespace sspql;
 int body(int argc, char** argv) {
     std::vector<std::string> files;
     std::string out;
-    experiment::Options parser(
-        "honest_comparison",
-        "Which statements of Kwon, Suh and Lee (2011) hold, and against what: a page of Markdown "
-        "whose every verdict is computed from recorded runs.");
+    experiment::Options parser("honest_comparison",
+                               "Which statements of Kwon, Suh and Lee (2011) hold, and against what: a page of "
+                               "Markdown whose every verdict is computed from recorded runs.");
     parser.files("FILE", files, "JSON written by grid_experiment or pusher_experiment");
     parser.text("--out", out, "Write the page to this file instead of the terminal");
     if (!parser.parse(argc, argv)) return 0;

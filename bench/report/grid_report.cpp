@@ -117,14 +117,13 @@ HtmlTable episode_table(const GridPhase& phase, bool explain) {
     HtmlTable table{"", builder.columns, builder.rows};
     if (explain) {
         table.caption =
-            "Means over seeds; se: standard error. Late: the last 20 episodes of the phase (all, if there are fewer)."
-            " Cut: episodes that reached the step limit; they count the steps made, so the totals of learners with many"
-            " of them are too low. Model: records and edges touched. Learning: time spent in the learner, on this"
-            " machine; all other numbers are the same wherever the command is run.";
+            "Means over seeds; se: standard error. Late: the last 20 episodes of the phase (all, if there are fewer). "
+            "Cut: episodes that reached the step limit; they count the steps made, so the totals of learners with many "
+            "of them are too low. Model: records and edges touched. Learning: time spent in the learner, on this "
+            "machine; all other numbers are the same wherever the command is run.";
         if (phase.optimal_steps) {
             table.caption +=
-                " J*: the fewest steps per episode that are possible on average, by value iteration on the"
-                " true map.";
+                " J*: the fewest steps per episode that are possible on average, by value iteration on the true map.";
         }
     }
     return table;
@@ -156,10 +155,9 @@ HtmlTable reward_table(const GridPhase& phase, bool explain) {
     HtmlTable table{"", builder.columns, builder.rows};
     if (explain) {
         table.caption =
-            "Reward collected since the start of the run, mean over seeds; se: standard error. Model: records and edges"
-            " touched. Learning: time spent in the learner, on this machine; all other numbers are the same wherever "
-            "the"
-            " command is run.";
+            "Reward collected since the start of the run, mean over seeds; se: standard error. Model: records and "
+            "edges touched. Learning: time spent in the learner, on this machine; all other numbers are the same "
+            "wherever the command is run.";
     }
     return table;
 }

@@ -133,6 +133,21 @@ std::string measure_text(const GridPhase& phase) {
     return {};
 }
 
+/// The start of a sentence about the only learner there is.
+std::string alone_text(const GridPhase& phase) {
+    const std::string& name = phase.winner().name;
+    switch (phase.measure) {
+        case GridMeasure::steps:
+            return "Steps of " + name + " in the first " +
+                   (phase.episodes == 1 ? "episode" : std::to_string(phase.episodes) + " episodes");
+        case GridMeasure::reward:
+            return "Reward of " + name + " in " + std::to_string(phase.winner().cumulative_reward.back().step) +
+                   " steps";
+        case GridMeasure::returns: return "Mean return of " + name;
+    }
+    return {};
+}
+
 }  // namespace
 
 std::vector<GridPhase> grid_phases(const ExperimentResults& results) {
@@ -157,9 +172,9 @@ std::string grid_lead(const std::vector<GridPhase>& phases) {
     };
     std::vector<Finding> findings;
     for (const GridPhase& phase : phases) {
-        std::string start = phase.winner().name;
-        start += (phase.measure == GridMeasure::steps ? " needed " : " got ") +
-                 (phase.learners.size() > 1 ? measure_text(phase) : measure_text(phase).substr(4));
+        std::string start =
+            phase.winner().name + (phase.measure == GridMeasure::steps ? " needed " : " got ") + measure_text(phase);
+        if (phase.learners.size() == 1) start = alone_text(phase);
         auto found = std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.start == start; });
         if (found == findings.end()) found = findings.insert(findings.end(), {start, {}});
         found->results.push_back(result_text(phase));
@@ -183,7 +198,7 @@ std::string grid_setting(const ExperimentResults& results, const std::vector<Gri
                 " phases, one after the other: what was learnt in one is kept in the next.";
     }
     const std::string slip = setting_of(results, "slip");
-    if (!slip.empty() && slip != "null") {
+    if (!slip.empty() && slip != "null" && setting_of(results, "table").empty()) {
         const std::string kind = setting_of(results, "noise_kind");
         const std::string where = kind == "perpendicular" ? "to one of the two sides"
                                   : kind == "lost"        ? "not at all"

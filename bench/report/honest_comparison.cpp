@@ -9,6 +9,8 @@
 #include "report/markdown.hpp"
 #include "report/numbers.hpp"
 #include "report/paper_statements.hpp"
+#include "report/pusher_study.hpp"
+#include "report/statement_builders.hpp"
 
 namespace sspql::report {
 
@@ -54,8 +56,10 @@ std::string failures_text(const Statement& statement) {
 std::string verdicts_table(const std::vector<ComparisonSection>& sections) {
     std::vector<std::vector<std::string>> rows;
     for (const ComparisonSection& section : sections) {
+        std::string heading = section.heading;  // on its first line only
         for (const Statement& statement : section.statements) {
-            rows.push_back({section.heading, statement.claim, statement.tally().text() + failures_text(statement)});
+            rows.push_back(
+                {std::exchange(heading, {}), statement.claim, statement.tally().text() + failures_text(statement)});
         }
     }
     return markdown_table({"part", "statement", "verdict"}, rows, 3);
@@ -78,14 +82,33 @@ std::string lead_text(const std::vector<ComparisonSection>& sections) {
             open += all > 0 && tally.open == all ? 1u : 0u;
         }
     }
-    return "Of " + std::to_string(checked) + " statements that the recorded runs bear on, " + std::to_string(hold) +
+    return "Of " + count_text(checked, "statement") + " that the recorded runs bear on, " + std::to_string(hold) +
            " hold wherever they were tried, " + std::to_string(fail) + " hold nowhere, " + std::to_string(open) +
            " are not decided anywhere, and " + std::to_string(checked - hold - fail - open) + " depend on the place. " +
            std::to_string(missing) + " are not in the recorded runs.\n\n";
 }
 
+/// A row for each finding, a column for each statement's verdict.
+std::string side_by_side_table(const std::vector<Statement>& statements) {
+    std::vector<std::string> headings{"where", "numbers"};
+    std::vector<std::vector<std::string>> rows;
+    for (const Statement& statement : statements) {
+        headings.push_back(statement.claim);
+        rows.resize(std::max(rows.size(), statement.findings.size()));
+        for (std::size_t i = 0; i < statement.findings.size(); ++i) {
+            const Finding& finding = statement.findings[i];
+            if (rows[i].empty()) rows[i] = {finding.where, finding.numbers};
+            rows[i].push_back(verdict_text(finding.contest.verdict) + " (ratio " + ratio_text(finding.contest) + ")");
+        }
+    }
+    return markdown_table(headings, rows, headings.size());
+}
+
 std::string section_text(const ComparisonSection& section) {
     std::string text = "## " + section.heading + "\n\n" + section.intro + "\n\n";
+    if (section.side_by_side && !section.statements.front().findings.empty()) {
+        return text + side_by_side_table(section.statements);
+    }
     std::vector<std::vector<std::string>> rows;
     std::vector<std::string> absent;
     for (const Statement& statement : section.statements) {
@@ -110,11 +133,6 @@ std::string section_text(const ComparisonSection& section) {
 std::string ratio_to(const LearnerStatistics& learner, const LearnerStatistics* reference) {
     if (reference == nullptr || reference->first30_steps.mean <= 0.0) return none;
     return fixed_text(learner.first30_steps.mean / reference->first30_steps.mean, 2);
-}
-
-std::string with_error(const Summary& summary, int digits) {
-    return fixed_text(summary.mean, digits) +
-           (summary.count > 1 ? " \u00b1 " + fixed_text(summary.error, digits) : std::string());
 }
 
 std::string numbers_table(const RecordedPhase& phase) {
@@ -148,7 +166,7 @@ std::string numbers_table(const RecordedPhase& phase) {
             row.push_back(phase.optimal_steps ? fixed_text(learner.late_steps.mean / *phase.optimal_steps, 2) : none);
             row.push_back(std::to_string(learner.capped_episodes));
         }
-        row.push_back(fixed_text(learner.total_steps.mean / static_cast<double>(learner.episodes), 1));
+        row.push_back(fixed_text(learner.total_steps.mean / recorded_episodes(phase, learner), 1));
         row.push_back(fixed_text(learner.model_ops_per_step, 1));
         row.push_back(fixed_text(learner.learn_ns_per_step, 0));
         rows.push_back(std::move(row));
@@ -159,14 +177,14 @@ std::string numbers_table(const RecordedPhase& phase) {
 std::string numbers_text(const std::vector<RecordedRun>& runs) {
     std::string text =
         "## All numbers\n\nMeans over seeds \u00b1 standard errors. Late: per episode, over the last 20 episodes. J*: "
-        "the "
-        "fewest steps possible. Cut: episodes of all seeds that reached the step limit and count the steps made. "
+        "the fewest steps possible. Cut: episodes of all seeds that reached the step limit and count the steps made. "
         "Operations: records and edges of the model touched. The time per step is over all phases of the run.\n\n";
     for (std::size_t i = 0; i < runs.size(); ++i) {
         for (const RecordedPhase& phase : runs[i].phases) {
             const std::size_t seeds = phase.learners.empty() ? 0 : phase.learners.front().seeds;
-            text += "**" + phase.name + "** (run " + std::to_string(i + 1) + ", " + std::to_string(seeds) +
-                    (seeds == 1 ? " seed" : " seeds");
+            text += "**" + phase.name + "** (run " + std::to_string(i + 1) + ", " + count_text(seeds, "seed");
+            const bool counted = seeds > 0 && !phase.learners.front().cumulative_reward.empty();
+            if (seeds > 0 && !counted) text += ", " + count_text(phase.learners.front().episodes, "episode");
             if (phase.optimal_steps) text += ", J* = " + fixed_text(*phase.optimal_steps, 3);
             text += ")\n\n" + numbers_table(phase);
         }
@@ -177,8 +195,7 @@ std::string numbers_text(const std::vector<RecordedRun>& runs) {
 std::string commands_text(const std::vector<RecordedRun>& runs) {
     std::string text =
         "## The recorded runs\n\nEach command records its run again (add `--json FILE`); this page follows from the "
-        "files "
-        "by\n\n```sh\nhonest_comparison";
+        "files by\n\n```sh\nhonest_comparison";
     for (const RecordedRun& run : runs) text += " " + run.file;
     text += " --out docs/honest-comparison.md\n```\n\n";
     for (std::size_t i = 0; i < runs.size(); ++i) {
@@ -241,16 +258,12 @@ std::string honest_comparison(const std::vector<RecordedRun>& runs) {
         "Kwon, Suh and Lee (2011) against what this library measures. " +
         lead_text(sections) +
         "Every verdict on this page is computed from the numbers beside it. A comparison of means *holds* if it is "
-        "true by at "
-        "least " +
+        "true by at least " +
         short_text(decisive_z, 1) +
         " standard errors of the difference (z, seeds taken as independent samples), *does not hold* if the opposite "
-        "is "
-        "true by as much, and is *not decided* otherwise. Of comparisons "
-        "between equal learners, about one in twenty ends beyond 2 standard errors by chance. Steps are sums over the "
-        "first 30 episodes of a phase unless said otherwise; the ratio is that of "
-        "the "
-        "learner named first to the other.\n\n## Verdicts\n\n";
+        "is true by as much, and is *not decided* otherwise. Of comparisons between equal learners, about one in "
+        "twenty ends beyond 2 standard errors by chance. Steps are sums over the first 30 episodes of a phase unless "
+        "said otherwise; the ratio is that of the learner named first to the other.\n\n## Verdicts\n\n";
     text += verdicts_table(sections);
     for (const ComparisonSection& section : sections) text += section_text(section);
     text += numbers_text(runs) + commands_text(runs);

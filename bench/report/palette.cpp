@@ -22,8 +22,7 @@ constexpr std::array<Entry, 24> entries{{
     {"series6", "#000000", "#FFFFFF"},  {"series7", "#857A00", "#C9BE3A"},     {"floor", "#F8F7F3", "#1B1F24"},
     {"wall", "#3C444D", "#8C97A3"},     {"goal", "#F6CF65", "#8A6A14"},        {"goal-edge", "#9A6F00", "#F2C14E"},
     {"region", "#8FD9C0", "#1E6B55"},   {"region-text", "#00664A", "#8FE8CB"}, {"box", "#D9AE78", "#9A7040"},
-    {"box-edge", "#6E4A1C", "#EBCB9E"}, {"robot", "#DFE6EE", "#3B4550"},
-    {"value", "#3D9BD8", "#2A74B4"},
+    {"box-edge", "#6E4A1C", "#EBCB9E"}, {"robot", "#DFE6EE", "#3B4550"},       {"value", "#3D9BD8", "#2A74B4"},
 }};
 
 const Entry& entry(Ink ink) noexcept { return entries[static_cast<std::size_t>(ink)]; }

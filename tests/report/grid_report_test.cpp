@@ -59,11 +59,10 @@ TEST(GridReport, LeadNamesTheWinnersAndWhoIsLevel) {
                                   phase("soft54", {learner("q", 100), learner("ps", 50), learner("sspql", 30)}),
                                   phase("soft47", {learner("q", 100), learner("ps", 30), learner("sspql", 90)})}));
     EXPECT_EQ(phases[0].winner().name, "ps");
-    EXPECT_EQ(
-        grid_lead(phases),
-        "ps needed the fewest steps in the first 30 episodes on open64: 615, 0.20 of q's, level with sspql; "
-        "soft47: 915, 0.30 of q's. sspql needed the fewest steps in the first 30 episodes on soft54: 915, 0.30 of "
-        "q's. Means of 2 seeds.");
+    EXPECT_EQ(grid_lead(phases),
+              "ps needed the fewest steps in the first 30 episodes on open64: 615, 0.20 of q's, level with sspql; "
+              "soft47: 915, 0.30 of q's. sspql needed the fewest steps in the first 30 episodes on soft54: 915, 0.30 "
+              "of q's. Means of 2 seeds.");
 }
 
 TEST(GridReport, LeadFallsBackToQBonusAndToNothing) {
@@ -71,12 +70,11 @@ TEST(GridReport, LeadFallsBackToQBonusAndToNothing) {
         contains(grid_lead(grid_phases(grid_results({phase("a", {learner("q-bonus", 60), learner("ps", 30)})}))),
                  "0.50 of q-bonus's"));
     EXPECT_EQ(grid_lead(grid_phases(grid_results({phase("a", {learner("sspql", 30)})}))),
-              "sspql needed fewest steps in the first 30 episodes on a: 915. Means of 2 seeds.");
+              "Steps of sspql in the first 30 episodes on a: 915. Means of 2 seeds.");
     ExperimentResults one = grid_results({phase("a", {{"q", {run_of(1, {9})}}, {"ps", {run_of(1, {7})}}})});
-    EXPECT_EQ(
-        grid_lead(grid_phases(one)),
-        "ps needed the fewest steps in the first episode on a: 7, 0.78 of q's. One seed: chance cannot be told from "
-        "skill.");
+    EXPECT_EQ(grid_lead(grid_phases(one)),
+              "ps needed the fewest steps in the first episode on a: 7, 0.78 of q's. One seed: chance cannot be told "
+              "from skill.");
 }
 
 TEST(GridReport, TablesCurvesAndMaps) {
