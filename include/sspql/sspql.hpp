@@ -3,8 +3,9 @@
 
 /// \file
 /// Everything, in the order data flows: an observation becomes a state, a state is counted, counts become a graph of
-/// expected costs, the graph shortest paths, the paths values, the values an action. For Boost.Graph's algorithms on the
-/// learnt graph include <sspql/paths/boost_graph.hpp> besides.
+/// expected costs, the graph shortest paths, the paths values, the values an action. Two things are slow to compile and
+/// left out: Boost.Graph's algorithms on the learnt graph (<sspql/paths/boost_graph.hpp>), and exact answers
+/// (<sspql/learn/exact_values.hpp>, <sspql/learn/exact_steps.hpp>).
 
 // core: ids, random numbers, errors
 #include <sspql/core/assert.hpp>
@@ -57,7 +58,14 @@
 #include <sspql/learn/value_learner.hpp>
 
 // env: what the agent acts in
+#include <sspql/env/chain.hpp>
+#include <sspql/env/changing_grid_world.hpp>
 #include <sspql/env/environment.hpp>
+#include <sspql/env/grid_maps.hpp>
+#include <sspql/env/grid_world.hpp>
+#include <sspql/env/random_mdp.hpp>
+#include <sspql/env/table_csv.hpp>
+#include <sspql/env/tabular_environment.hpp>
 #include <sspql/env/time_limit.hpp>
 
 // run: episodes, threads, statistics

@@ -49,7 +49,8 @@ TEST(Errors, ShowTheDigitsThatAreWrong) {
     EXPECT_EQ(refusal([] { sspql::require_in("alpha", std::nextafter(1.0, 2.0), 0.0, 1.0); }),
               "alpha must lie in [0, 1], got 1.0000000000000002");
     EXPECT_EQ(refusal([] { sspql::require_in("alpha", 1.1, 0.0, 1.0); }), "alpha must lie in [0, 1], got 1.1");
-    EXPECT_EQ(refusal([] { sspql::throw_invalid("n", "stay small", 4294967295u); }), "n must stay small, got 4294967295");
+    EXPECT_EQ(refusal([] { sspql::throw_invalid("n", "stay small", 4294967295u); }),
+              "n must stay small, got 4294967295");
 }
 
 TEST(Errors, TextDoesNotDependOnTheLocale) {

@@ -26,7 +26,8 @@ std::array<double, actions> frequencies(const Selector& selector, const Scores& 
     std::array<double, actions> chosen{};
     constexpr int draws = 40000;
     for (int k = 0; k < draws; ++k) {
-        const ActionId a = selector(actions, mask, [&](ActionId i) { return scores[index(i)]; }, random);
+        const ActionId a = selector(
+            actions, mask, [&](ActionId i) { return scores[index(i)]; }, random);
         ++chosen.at(index(a));
     }
     for (double& count : chosen) count /= draws;
@@ -62,7 +63,8 @@ TEST(ActionSelector, NoiseIsUniform) {
 }
 
 TEST(ActionSelector, RefusesNoNoise) {
-    for (const double bad : {0.0, -0.01, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    for (const double bad :
+         {0.0, -0.01, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
         EXPECT_THROW(ActionSelector{bad}, std::invalid_argument);
     }
     EXPECT_EQ(ActionSelector().noise(), 0.01);
@@ -78,7 +80,8 @@ TEST(EpsilonGreedy, BreaksTiesUniformly) {
     const auto chosen = frequencies(EpsilonGreedy(0.0), {1.0, 0.0, 1.0, 1.0}, all, 7);
     EXPECT_EQ(chosen[1], 0.0);
     for (const std::size_t a : {0u, 2u, 3u}) EXPECT_NEAR(chosen[a], 1.0 / 3.0, tolerance);
-    for (const double f : frequencies(EpsilonGreedy(1.0), {9.0, 0.0, 1.0, 1.0}, all, 8)) EXPECT_NEAR(f, 0.25, tolerance);
+    for (const double f : frequencies(EpsilonGreedy(1.0), {9.0, 0.0, 1.0, 1.0}, all, 8))
+        EXPECT_NEAR(f, 0.25, tolerance);
 }
 
 TEST(EpsilonGreedy, RefusesEpsilonOutside) {

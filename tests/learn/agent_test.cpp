@@ -30,8 +30,9 @@ struct Drive {
 };
 
 auto floor_states() {
-    return ProjectedState(UniformGrid<2>({{{0.0, 4.0, 4}, {0.0, 4.0, 4}}}),
-                          [](const Scan& scan) { return std::array{scan.x_m, scan.y_m}; });
+    return ProjectedState(UniformGrid<2>({{{0.0, 4.0, 4}, {0.0, 4.0, 4}}}), [](const Scan& scan) {
+        return std::array{scan.x_m, scan.y_m};
+    });
 }
 
 ActionTable<Drive> drives() { return {{1.0, 0.0}, {-1.0, 0.0}, {0.0, 1.0}, {0.0, -1.0}}; }

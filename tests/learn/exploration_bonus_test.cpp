@@ -15,7 +15,8 @@ TEST(ExplorationBonus, IsEq7InsideAndBeyondTheTable) {
         const ExplorationBonus bonus(eta);
         EXPECT_EQ(bonus.eta(), eta);
         EXPECT_EQ(bonus(0), 1.0);
-        for (const std::uint64_t n : {1ull, 2ull, 3ull, 99ull, 1022ull, 1023ull, 1024ull, 1025ull, 5000000ull, 1ull << 50}) {
+        for (const std::uint64_t n :
+             {1ull, 2ull, 3ull, 99ull, 1022ull, 1023ull, 1024ull, 1025ull, 5000000ull, 1ull << 50}) {
             EXPECT_EQ(bonus(n), std::pow(static_cast<double>(n) + 1.0, -eta)) << eta << ", " << n;
         }
     }
@@ -29,7 +30,7 @@ TEST(ExplorationBonus, FallsTowardsZero) {
 }
 
 TEST(ExplorationBonus, RefusesEtaOutside) {
-    EXPECT_THROW(ExplorationBonus(-0.1), std::invalid_argument);
-    EXPECT_THROW(ExplorationBonus(std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
-    EXPECT_THROW(ExplorationBonus(std::numeric_limits<double>::infinity()), std::invalid_argument);
+    EXPECT_THROW(ExplorationBonus{-0.1}, std::invalid_argument);
+    EXPECT_THROW(ExplorationBonus{std::numeric_limits<double>::quiet_NaN()}, std::invalid_argument);
+    EXPECT_THROW(ExplorationBonus{std::numeric_limits<double>::infinity()}, std::invalid_argument);
 }

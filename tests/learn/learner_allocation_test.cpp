@@ -32,7 +32,8 @@ using namespace sspql::testing;
 
 template <class L>
 class LearnerAllocation : public ::testing::Test {};
-TYPED_TEST_SUITE(LearnerAllocation, LearnersUnderTest, LearnerNames);
+using Reserving = ::testing::Types<QLearning<>, Sspql<>, Sarsa<>, DynaQ<>, DynaQPlus<>, Rtdp<>>;
+TYPED_TEST_SUITE(LearnerAllocation, Reserving, LearnerNames);
 
 TYPED_TEST(LearnerAllocation, StepsAllocateNothingAfterReserve) {
     constexpr std::size_t states = 500;

@@ -114,7 +114,8 @@ TYPED_TEST(LearnerConvergence, GreedyPolicyIsWithinOnePercentOfTheOptimum) {
             s = world.below(states - 1);
             a = learner.begin(state_id(s));
         }
-        const auto optimal = process.values([](std::size_t, const auto& b) { return *std::max_element(b.begin(), b.end()); });
+        const auto optimal =
+            process.values([](std::size_t, const auto& b) { return *std::max_element(b.begin(), b.end()); });
         const auto achieved =
             process.values([&](std::size_t at, const auto& b) { return b[index(learner.best(state_id(at)))]; });
         double scale = 0.0;

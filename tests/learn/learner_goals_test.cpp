@@ -115,7 +115,7 @@ TEST(SspqlGoals, UnreachableGoalsLeaveQAlone) {
 
 template <class L>
 class LearnerGoals : public ::testing::Test {};
-TYPED_TEST_SUITE(LearnerGoals, LearnersUnderTest, LearnerNames);
+TYPED_TEST_SUITE(LearnerGoals, AllLearners, LearnerNames);
 
 TYPED_TEST(LearnerGoals, BadGoalsAreRefusedAndChangeNothing) {
     TypeParam learner(Room::states, Room::actions, {}, 9);
@@ -138,7 +138,7 @@ TYPED_TEST(LearnerGoals, OtherGoalsResetValuesAndVisits) {
     learner.set_goals({{state_id(3)}});
     for (std::size_t s = 0; s < Room::states; ++s) {
         for (std::size_t a = 0; a < Room::actions; ++a) {
-            EXPECT_EQ(learner.q()(state_id(s), action_id(a)), 0.0);
+            EXPECT_EQ(learner.q()(state_id(s), action_id(a)), learner.params().initial_q);
             EXPECT_EQ(learner.visits()(state_id(s), action_id(a)), 0u);
         }
     }

@@ -8,7 +8,11 @@ using namespace sspql::testing;
 
 template <class L>
 class LearnerObserve : public ::testing::Test {};
-TYPED_TEST_SUITE(LearnerObserve, LearnersUnderTest, LearnerNames);
+TYPED_TEST_SUITE(LearnerObserve, AllLearners, LearnerNames);
+
+template <class L>
+class LearnerObserveByEq1 : public ::testing::Test {};
+TYPED_TEST_SUITE(LearnerObserveByEq1, LearnersByEq1, LearnerNames);
 
 TYPED_TEST(LearnerObserve, LeavesTheRunningEpisodeAlone) {
     TypeParam learner(Room::states, Room::actions, {}, 2);
@@ -19,12 +23,23 @@ TYPED_TEST(LearnerObserve, LeavesTheRunningEpisodeAlone) {
     EXPECT_EQ(learner.state(), state_id(7));
     EXPECT_EQ(learner.action(), a);
     (void)learner.step(0.25, state_id(8));
+    EXPECT_EQ(learner.visits()(state_id(7), a), 1u);
+    EXPECT_EQ(learner.visits()(state_id(0), action_id(1)), 1u);
+    EXPECT_EQ(learner.visits()(state_id(3), action_id(2)), 1u);
+}
+
+TYPED_TEST(LearnerObserveByEq1, UpdatesWhatItIsTold) {
+    TypeParam learner(Room::states, Room::actions, {}, 2);
+    const ActionId a = learner.begin(state_id(7));
+    learner.observe(state_id(0), action_id(1), 0.5, state_id(1), false);
+    learner.observe(state_id(3), action_id(2), 1.0, state_id(4), true);
+    (void)learner.step(0.25, state_id(8));
     EXPECT_DOUBLE_EQ(learner.q()(state_id(7), a), 0.8 * 0.25);
     EXPECT_DOUBLE_EQ(learner.q()(state_id(0), action_id(1)), 0.8 * 0.5);
     EXPECT_DOUBLE_EQ(learner.q()(state_id(3), action_id(2)), 0.8 * 1.0);
 }
 
-TYPED_TEST(LearnerObserve, LearnsWhatActingLearns) {
+TYPED_TEST(LearnerObserveByEq1, LearnsWhatActingLearns) {
     TypeParam actor(Room::states, Room::actions, {}, 2);
     TypeParam pupil(Room::states, Room::actions, {}, 2);
     Room room(2, 0.1);
@@ -48,7 +63,7 @@ TYPED_TEST(LearnerObserve, LearnsWhatActingLearns) {
     }
 }
 
-TYPED_TEST(LearnerObserve, ATruncatedEndKeepsItsFutureValue) {
+TYPED_TEST(LearnerObserveByEq1, ATruncatedEndKeepsItsFutureValue) {
     TypeParam learner(3, 1);
     learner.observe(state_id(1), action_id(0), 1.0, state_id(2), true);
     const double value = learner.q()(state_id(1), action_id(0));

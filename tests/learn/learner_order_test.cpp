@@ -14,7 +14,7 @@ protected:
     L learner_{Room::states, Room::actions, typename L::Params(), 5};
     Room room_{5, 0.1};
 };
-TYPED_TEST_SUITE(LearnerOrder, LearnersUnderTest, LearnerNames);
+TYPED_TEST_SUITE(LearnerOrder, AllLearners, LearnerNames);
 
 TYPED_TEST(LearnerOrder, OutcomesBeforeBeginAreLogicErrorsAndChangeNothing) {
     auto& learner = this->learner_;
@@ -100,5 +100,4 @@ TYPED_TEST(LearnerOrder, ReplacedActionIsTheOneThatLearns) {
     (void)learner.step(1.0, state_id(1));
     EXPECT_EQ(learner.visits()(state_id(0), chosen), 0u);
     EXPECT_EQ(learner.visits()(state_id(0), other), 1u);
-    EXPECT_DOUBLE_EQ(learner.q()(state_id(0), other), 0.8);
 }

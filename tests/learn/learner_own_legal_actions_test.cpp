@@ -33,22 +33,17 @@ struct With : Base {
 
 template <class L>
 struct Kind;
-template <class P>
-struct Kind<QLearning<P>> {
+template <template <class> class L, class Policies>
+struct Kind<L<Policies>> {
     template <class Legal>
-    using Learner = QLearning<With<P, Legal>>;
-};
-template <class P>
-struct Kind<Sspql<P>> {
-    template <class Legal>
-    using Learner = Sspql<With<P, Legal>>;
+    using Learner = L<With<Policies, Legal>>;
 };
 
 }  // namespace
 
 template <class L>
 class LearnerOwnLegalActions : public ::testing::Test {};
-TYPED_TEST_SUITE(LearnerOwnLegalActions, LearnersUnderTest, LearnerNames);
+TYPED_TEST_SUITE(LearnerOwnLegalActions, AllLearners, LearnerNames);
 
 TYPED_TEST(LearnerOwnLegalActions, AreObeyed) {
     typename Kind<TypeParam>::template Learner<Diagonal> learner(4, 4);

@@ -26,7 +26,7 @@ std::vector<ActionId> life(L& learner, std::uint64_t world, int episodes = 8) {
 
 template <class L>
 class LearnerRandomness : public ::testing::Test {};
-TYPED_TEST_SUITE(LearnerRandomness, LearnersUnderTest, LearnerNames);
+TYPED_TEST_SUITE(LearnerRandomness, AllLearners, LearnerNames);
 
 TYPED_TEST(LearnerRandomness, SameSeedSameBits) {
     TypeParam a(Room::states, Room::actions, {}, 11);

@@ -11,7 +11,7 @@ using namespace sspql::testing;
 
 template <class L>
 class LearnerStates : public ::testing::Test {};
-TYPED_TEST_SUITE(LearnerStates, LearnersUnderTest, LearnerNames);
+TYPED_TEST_SUITE(LearnerStates, AllLearners, LearnerNames);
 
 TEST(StateCount, IsFixedOrGrows) {
     EXPECT_EQ(StateCount(7).initial(), 7u);
@@ -92,7 +92,8 @@ TYPED_TEST(LearnerStates, GrowingAndFixedLearnersActAlike) {
     Room same(3, 0.2);
     growing.grow(Room::states);
     for (int k = 0; k < 10; ++k) {
-        EXPECT_EQ(walk(fixed, room, Room::at(0, 0), Room::at(4, 4)), walk(growing, same, Room::at(0, 0), Room::at(4, 4)));
+        EXPECT_EQ(walk(fixed, room, Room::at(0, 0), Room::at(4, 4)),
+                  walk(growing, same, Room::at(0, 0), Room::at(4, 4)));
     }
     EXPECT_EQ(fingerprint(fixed), fingerprint(growing));
 }

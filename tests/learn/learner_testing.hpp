@@ -12,7 +12,13 @@
 
 #include <sspql/core/ids.hpp>
 #include <sspql/core/random.hpp>
+#include <sspql/learn/dyna_q.hpp>
+#include <sspql/learn/dyna_q_plus.hpp>
+#include <sspql/learn/prioritized_sweeping.hpp>
 #include <sspql/learn/q_learning.hpp>
+#include <sspql/learn/r_max.hpp>
+#include <sspql/learn/rtdp.hpp>
+#include <sspql/learn/sarsa.hpp>
 #include <sspql/learn/sspql.hpp>
 
 /// \file
@@ -21,12 +27,24 @@
 
 namespace sspql::testing {
 
-using LearnersUnderTest = ::testing::Types<QLearning<>, Sspql<>>;
+/// The interface is one: what is said of Learner holds for all of these.
+using AllLearners =
+    ::testing::Types<QLearning<>, Sspql<>, Sarsa<>, DynaQ<>, DynaQPlus<>, PrioritizedSweeping<>, Rtdp<>, RMax<>>;
+
+/// Those that update Q by eq. 1 alone.
+using LearnersByEq1 = ::testing::Types<QLearning<>, Sspql<>>;
 
 struct LearnerNames {
     template <class L>
     static std::string GetName(int) {
-        return std::is_same_v<L, Sspql<>> ? "Sspql" : "QLearning";
+        if (std::is_same_v<L, QLearning<>>) return "QLearning";
+        if (std::is_same_v<L, Sspql<>>) return "Sspql";
+        if (std::is_same_v<L, Sarsa<>>) return "Sarsa";
+        if (std::is_same_v<L, DynaQ<>>) return "DynaQ";
+        if (std::is_same_v<L, DynaQPlus<>>) return "DynaQPlus";
+        if (std::is_same_v<L, PrioritizedSweeping<>>) return "PrioritizedSweeping";
+        if (std::is_same_v<L, Rtdp<>>) return "Rtdp";
+        return "RMax";
     }
 };
 
@@ -96,8 +114,9 @@ std::vector<double> fingerprint(const L& learner) {
         for (std::size_t a = 0; a < learner.actions(); ++a) {
             const auto terms = learner.terms(state_id(s), action_id(a));
             const bool legal = learner.legal_actions().allowed(state_id(s)).contains(action_id(a));
-            for (const double x : {learner.q()(state_id(s), action_id(a)), terms.q, terms.ssp, terms.exploration, terms.n,
-                                   static_cast<double>(learner.visits()(state_id(s), action_id(a))), legal ? 1.0 : 0.0}) {
+            for (const double x :
+                 {learner.q()(state_id(s), action_id(a)), terms.q, terms.ssp, terms.exploration, terms.n,
+                  static_cast<double>(learner.visits()(state_id(s), action_id(a))), legal ? 1.0 : 0.0}) {
                 seen.push_back(x);
             }
         }

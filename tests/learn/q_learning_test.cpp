@@ -58,6 +58,7 @@ TEST(QLearning, ReservingChangesNothing) {
     Room room(4, 0.1);
     Room same(4, 0.1);
     for (int k = 0; k < 5; ++k) {
-        EXPECT_EQ(walk(reserved, room, Room::at(0, 0), Room::at(4, 4)), walk(plain, same, Room::at(0, 0), Room::at(4, 4)));
+        EXPECT_EQ(walk(reserved, room, Room::at(0, 0), Room::at(4, 4)),
+                  walk(plain, same, Room::at(0, 0), Room::at(4, 4)));
     }
 }

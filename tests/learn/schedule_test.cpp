@@ -48,13 +48,15 @@ TEST(Schedule, ExponentialDecayFallsToItsFloor) {
     const Schedule decay = ExponentialDecay{0.9, 0.01, 0.1};
     EXPECT_EQ(decay(0), 0.9);
     EXPECT_EQ(decay.greatest(), 0.9);
-    for (const std::uint64_t n : counts) EXPECT_EQ(decay(n), 0.1 + (0.9 - 0.1) * std::exp(-0.01 * static_cast<double>(n)));
+    for (const std::uint64_t n : counts)
+        EXPECT_EQ(decay(n), 0.1 + (0.9 - 0.1) * std::exp(-0.01 * static_cast<double>(n)));
     EXPECT_EQ(decay(std::uint64_t{1} << 40), 0.1);
     EXPECT_EQ(Schedule(ExponentialDecay{0.5, 0.0, 0.5})(77), 0.5);
 }
 
 TEST(Schedule, NoRuleGrows) {
-    for (const Schedule& schedule : {Schedule(0.3), Schedule(VisitDecay{0.7}), Schedule(ExponentialDecay{1.0, 0.002, 0.0})}) {
+    for (const Schedule& schedule :
+         {Schedule(0.3), Schedule(VisitDecay{0.7}), Schedule(ExponentialDecay{1.0, 0.002, 0.0})}) {
         double before = schedule.greatest();
         for (std::uint64_t n = 0; n < 3000; ++n) {
             EXPECT_LE(schedule(n), before) << n;

@@ -17,7 +17,9 @@ namespace {
 
 /// A user's own of each kind.
 struct SquaredCost {
-    double operator()(double weight, double probability) const { return weight * weight * (2.0 - std::min(probability, 1.0)); }
+    double operator()(double weight, double probability) const {
+        return weight * weight * (2.0 - std::min(probability, 1.0));
+    }
 };
 struct HalfOfBest {
     template <class Counts, class Successor>
@@ -105,8 +107,8 @@ struct Unmasked : SspqlPolicies {
 
 template <class Policies>
 class SspqlWithPolicies : public ::testing::Test {};
-using AllPolicies = ::testing::Types<Default, Tries, Logarithmic, Hops, OwnCost, Quaternary, Binary, Sorted, Fading, Saturating,
-                                     Epsilon, Soft, Own, Unmasked>;
+using AllPolicies = ::testing::Types<Default, Tries, Logarithmic, Hops, OwnCost, Quaternary, Binary, Sorted, Fading,
+                                     Saturating, Epsilon, Soft, Own, Unmasked>;
 TYPED_TEST_SUITE(SspqlWithPolicies, AllPolicies);
 
 TYPED_TEST(SspqlWithPolicies, LearnsTheWayThroughTheRoom) {

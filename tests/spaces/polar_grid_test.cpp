@@ -81,7 +81,8 @@ TEST(PolarGrid, RingsAreClosedBelowAndOpenAbove) {
     EXPECT_EQ(grid.ring_of(2.0), 2u);
     EXPECT_EQ(grid.ring_of(1e300), 2u);
     EXPECT_EQ(index(grid.encode(std::array{0.5, 0.0})), 12u);
-    EXPECT_EQ(index(grid.encode(std::array{1e308, 1e308})), 2u * 12u + 2u) << "the distance overflows: 45 deg rounds up";
+    EXPECT_EQ(index(grid.encode(std::array{1e308, 1e308})), 2u * 12u + 2u)
+        << "the distance overflows: 45 deg rounds up";
 }
 
 TEST(PolarGrid, OriginIsSectorZeroOfTheInnermostRing) {

@@ -32,11 +32,13 @@ struct Scan {
 
 /// Position x heading x gripper, as a robot would write it.
 auto robot_state() {
-    return ProductState(
-        ProjectedState(PolarGrid(12, {0.7, 1.0}), [](const Scan& scan) { return std::array{scan.x, scan.y}; }),
-        ProjectedState(UniformGrid<1>({GridAxis{0.0, 360.0, 12, true}}),
-                       [](const Scan& scan) { return std::array{scan.heading_deg}; }),
-        ProjectedState(EnumState<bool>(2), [](const Scan& scan) { return scan.holding; }));
+    return ProductState(ProjectedState(PolarGrid(12, {0.7, 1.0}),
+                                       [](const Scan& scan) {
+                                           return std::array{scan.x, scan.y};
+                                       }),
+                        ProjectedState(UniformGrid<1>({GridAxis{0.0, 360.0, 12, true}}),
+                                       [](const Scan& scan) { return std::array{scan.heading_deg}; }),
+                        ProjectedState(EnumState<bool>(2), [](const Scan& scan) { return scan.holding; }));
 }
 
 }  // namespace
@@ -51,9 +53,10 @@ TEST(ProductState, LastFactorVariesFastest) {
 }
 
 TEST(ProductState, EveryIdComesBack) {
-    ProductState state(ProjectedState(EnumState<std::size_t>(3), [](const std::array<std::size_t, 3>& o) { return o[0]; }),
-                       ProjectedState(EnumState<std::size_t>(5), [](const std::array<std::size_t, 3>& o) { return o[1]; }),
-                       ProjectedState(EnumState<std::size_t>(7), [](const std::array<std::size_t, 3>& o) { return o[2]; }));
+    ProductState state(
+        ProjectedState(EnumState<std::size_t>(3), [](const std::array<std::size_t, 3>& o) { return o[0]; }),
+        ProjectedState(EnumState<std::size_t>(5), [](const std::array<std::size_t, 3>& o) { return o[1]; }),
+        ProjectedState(EnumState<std::size_t>(7), [](const std::array<std::size_t, 3>& o) { return o[2]; }));
     ASSERT_EQ(state.size(), 105u);
     for (std::size_t id = 0; id < state.size(); ++id) {
         const std::array<std::size_t, 3> observation{id / 35, id / 7 % 5, id % 7};

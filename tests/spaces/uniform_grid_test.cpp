@@ -8,8 +8,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include <Eigen/Core>
 #include <gtest/gtest.h>
+#include <Eigen/Core>
 
 using sspql::GridAxis;
 using sspql::index;

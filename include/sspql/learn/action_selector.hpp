@@ -96,7 +96,7 @@ public:
                                      const Value& value) const {
         const ActionId top = detail::argmax(actions, allowed, score);
         const double top_score = score(top);
-        const auto contends = [&](ActionId a) { return allowed.contains(a) && score(a) > top_score - noise_; };
+        const auto contends = [&](ActionId a) { return allowed.contains(a) && top_score - score(a) < noise_; };
         double sum = 0.0;
         double total = 0.0;
         for (std::size_t i = 0; i < actions; ++i) {

@@ -100,6 +100,12 @@ public:
         learner_.observe(s, a, reward, s2, terminated, weight);
     }
 
+    /// A trainer's hint: here, this action. See ValueLearner::teach.
+    template <class Observation>
+    void teach(const Observation& observation, ActionId a, double strength = 1.0) {
+        learner_.teach(encode(observation), a, strength);
+    }
+
     /// The best command known here: no exploration, nothing learnt.
     template <class Observation>
     [[nodiscard]] Command best(const Observation& observation) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -56,11 +57,45 @@ public:
     }
 
 private:
+    static constexpr std::size_t batch = 8;
+
     void learn(const Transition& t) {
         Base::remember(t);
         last_.observe(t);
         update(t);
-        for (std::size_t k = 0; k < this->params_.planning_steps; ++k) plan();
+        std::size_t left = this->params_.planning_steps;
+        if (this->params_.replay == Replay::from_counts && !(this->params_.kappa > 0.0)) {
+            for (; left >= batch; left -= batch) plan_batch();
+        }
+        for (; left > 0; --left) plan();
+    }
+
+    /// The same as `batch` times plan(): draws, look-ups and outcomes do not depend on the values, so that those of
+    /// several steps can wait for memory together.
+    void plan_batch() {
+        std::array<std::size_t, batch> picks;
+        std::array<double, batch> draws;
+        std::array<typename Base::Model::Drawn, batch> outcomes;
+        for (std::size_t i = 0; i < batch; ++i) {
+            picks[i] = this->random_.below(last_.size());
+            draws[i] = this->random_.uniform();
+            last_.prefetch(picks[i]);
+        }
+        for (std::size_t i = 0; i < batch; ++i) {
+            const Transition& seen = last_.tried(picks[i]);
+            this->model_.counts().prefetch(seen.state, seen.action);
+            this->q_.prefetch(seen.state);
+        }
+        for (std::size_t i = 0; i < batch; ++i) {
+            const Transition& seen = last_.tried(picks[i]);
+            outcomes[i] = this->model_.draw(seen.state, seen.action, draws[i]);
+            this->q_.prefetch(outcomes[i].next);
+        }
+        for (std::size_t i = 0; i < batch; ++i) {
+            const Transition& seen = last_.tried(picks[i]);
+            const auto& [cell, next] = outcomes[i];
+            update({seen.state, seen.action, cell->reward_sum / cell->count(), next, cell->terminal(), 1.0});
+        }
     }
 
     void plan() {
@@ -82,8 +117,7 @@ private:
     }
 
     void update(const Transition& t) {
-        q_update(this->q_, t, this->params_.alpha(this->visits_(t.state, t.action)), this->params_.gamma,
-                 Base::legal());
+        q_update(this->q_, t, Base::rate(t.state, t.action), this->params_.gamma, Base::legal());
     }
 
     LastOutcomes last_;

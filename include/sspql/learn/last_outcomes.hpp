@@ -7,6 +7,7 @@
 
 #include <sspql/core/ids.hpp>
 #include <sspql/learn/transition.hpp>
+#include <sspql/model/prefetch.hpp>
 
 namespace sspql {
 
@@ -37,6 +38,8 @@ public:
 
     /// The i-th of them with its last outcome.
     [[nodiscard]] const Transition& tried(std::size_t i) const noexcept { return tried_[i]; }
+
+    void prefetch(std::size_t i) const noexcept { detail::prefetch(&tried_[i]); }
 
     /// The last outcome of (s,a), or nullptr.
     [[nodiscard]] const Transition* find(StateId s, ActionId a) const noexcept {

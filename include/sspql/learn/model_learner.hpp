@@ -58,10 +58,9 @@ protected:
 
     /// Sets Q(s,a) to its expected value under the model. \returns how much max_a Q(s,a) moved.
     double back_up(StateId s, ActionId a) {
-        const auto allowed = Base::legal().allowed(s);
-        const double before = this->q_.max(s, allowed);
+        const double before = this->q_.legal_max(s, Base::legal());
         this->q_(s, a) = model_.backup(s, a, this->q_, this->params_, Base::legal());
-        const double moved = this->q_.max(s, allowed) - before;
+        const double moved = this->q_.legal_max(s, Base::legal()) - before;
         return moved < 0.0 ? -moved : moved;
     }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <type_traits>
 #include <vector>
 
 #include <Eigen/Core>
@@ -11,6 +12,8 @@
 #include <sspql/core/assert.hpp>
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/model/prefetch.hpp>
+#include <sspql/spaces/legal_actions.hpp>
 
 namespace sspql {
 
@@ -49,6 +52,17 @@ public:
         }
         return best;
     }
+
+    /// max_a Q(s,a) over the legal actions of s; without masks in the table there is nothing to look up.
+    template <class LegalActions>
+    [[nodiscard]] double legal_max(StateId s, const LegalActions& legal) const noexcept {
+        if constexpr (std::is_same_v<LegalActions, LegalActionTable>) {
+            if (legal.actions() == 0) return max(s, AllActions{}.allowed(s));
+        }
+        return max(s, legal.allowed(s));
+    }
+
+    void prefetch(StateId s) const noexcept { detail::prefetch(values_.data() + index(s) * actions_); }
 
     /// More states; new ones start at the initial value.
     void grow(std::size_t states) {

@@ -31,6 +31,7 @@ struct RMaxParams : ModelParams<Policies> {
 /// R-Max (Brafman and Tennenholtz 2002): what was tried fewer than m times is worth the most there is; an (s,a) that
 /// becomes known is planned with, to convergence. The first m outcomes of an (s,a) are its model for good, unless a cap
 /// lets them fade: then the model goes on learning, and so does planning, at every step.
+/// After set_goals everything is unknown again, and each (s,a) is learnt anew once it is tried.
 ///
 /// Interface, errors and threads: Learner. A step that makes something known costs as many backups as values move (by
 /// prioritized sweeping), any other O(|A|).
@@ -66,6 +67,7 @@ private:
             this->visits_.add(t.state, t.action);
             return;
         }
+        if (before == 0 && this->model_.counts().n(t.state, t.action) > 0) this->model_.forget(t.state, t.action);
         Base::remember(t);
         if (this->visits_(t.state, t.action) < this->params_.known_after) return;
         this->queue_.raise(t.state, t.action, 1.0);

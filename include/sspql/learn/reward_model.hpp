@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <sspql/core/assert.hpp>
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/core/random.hpp>
@@ -47,6 +48,12 @@ class RewardModel {
 public:
     using Counts = TransitionCounts<Cell>;
 
+    /// An outcome: its cell (valid until the next observation) and the state it led to.
+    struct Drawn {
+        const Cell* cell = nullptr;
+        StateId next = no_state;
+    };
+
     RewardModel(std::size_t states, std::size_t actions) : counts_(states, actions) {}
 
     void grow(std::size_t states) { counts_.grow(states); }
@@ -67,6 +74,12 @@ public:
         counts_.clear_dirty();
     }
 
+    /// As if (s,a) had never been tried. O(out-degree).
+    void forget(StateId s, ActionId a) {
+        counts_.fade(s, a, 0.0, 1.0);
+        counts_.clear_dirty();
+    }
+
     /// The expected value of (s,a), tried at least once: the mean over its outcomes of r + gamma max_a' Q(s',a'), and the
     /// optimistic pseudo-count. O(out-degree x |A|).
     template <class Params, class LegalActions>
@@ -79,28 +92,40 @@ public:
             ++operations_;
             sum += cell->reward_sum;
             if (!cell->terminal()) {
-                sum += cell->count() * params.gamma * q.max(successor.state(), legal.allowed(successor.state()));
+                sum += cell->count() * params.gamma * q.legal_max(successor.state(), legal);
             }
         });
         return sum / (counts_.n(s, a) + params.kappa);
     }
 
     /// One outcome of (s,a), tried at least once, with the probability the counts give it; its reward is the mean one.
-    /// O(out-degree).
-    [[nodiscard]] Transition sample(StateId s, ActionId a, Random& random) {
-        double left = random.uniform() * counts_.n(s, a);
-        Transition t{s, a, 0.0, no_state, false, 1.0};
+    /// `u` is the draw, uniform in [0, 1). O(out-degree).
+    [[nodiscard]] Drawn draw(StateId s, ActionId a, double u) {
+        // No early exit: where the draw falls, nobody can predict; that costs more than the few records behind it.
+        double left = u * counts_.n(s, a);
+        std::size_t place = 0;
         counts_.for_each_successor(s, [&](const auto& successor) {
-            if (left < 0.0) return;
-            const Cell* cell = successor.cell(a);
-            if (cell == nullptr) return;
-            left -= cell->count();
-            t.next = successor.state();
-            t.reward = cell->reward_sum / cell->count();
-            t.terminated = cell->terminal();
+            left -= successor.n(a);
+            place += static_cast<std::size_t>(left >= 0.0);
         });
+        Drawn drawn;
+        if (place < counts_.out_degree(s)) {
+            const auto successor = counts_.successor(s, place);
+            drawn = {successor.cell(a), successor.state()};
+        } else {  // rounding left something over: the last one
+            counts_.for_each_successor(s, [&](const auto& successor) {
+                if (const Cell* cell = successor.cell(a)) drawn = {cell, successor.state()};
+            });
+        }
+        SSPQL_ASSERT(drawn.cell != nullptr, "only what was tried can be drawn from");
         ++operations_;
-        return t;
+        return drawn;
+    }
+
+    /// The same as a step.
+    [[nodiscard]] Transition sample(StateId s, ActionId a, Random& random) {
+        const Drawn drawn = draw(s, a, random.uniform());
+        return {s, a, drawn.cell->reward_sum / drawn.cell->count(), drawn.next, drawn.cell->terminal(), 1.0};
     }
 
     /// Edges and records touched so far.

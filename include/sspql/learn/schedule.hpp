@@ -54,6 +54,9 @@ public:
 
     [[nodiscard]] const Rule& rule() const noexcept { return rule_; }
 
+    /// Whether the factor is the same after any number of visits.
+    [[nodiscard]] bool constant() const noexcept { return std::holds_alternative<Constant>(rule_); }
+
     /// The largest value, that of no visits: no rule grows.
     [[nodiscard]] double greatest() const noexcept { return table_[0]; }
 

@@ -121,6 +121,11 @@ protected:
 
     [[nodiscard]] double value(StateId s, ActionId a) const noexcept { return q_(s, a); }
 
+    /// The learning rate of (s,a); a constant one costs no look at the visits.
+    [[nodiscard]] double rate(StateId s, ActionId a) const noexcept {
+        return params_.alpha.constant() ? params_.alpha.greatest() : params_.alpha(visits_(s, a));
+    }
+
     [[nodiscard]] double bonus_term(StateId s, ActionId a) const noexcept {
         return params_.w_exp * params_.bonus(visits_(s, a));
     }

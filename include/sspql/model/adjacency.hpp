@@ -11,6 +11,7 @@
 
 #include <sspql/core/assert.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/model/prefetch.hpp>
 #include <sspql/model/record_slab.hpp>
 
 namespace sspql::detail {
@@ -53,6 +54,17 @@ public:
     [[nodiscard]] std::uint32_t out_size(StateId s) const noexcept { return nodes_[index(s)].out_size; }
 
     [[nodiscard]] StateId target(std::uint32_t record) const noexcept { return StateId{head(record).state}; }
+
+    /// The same by address, for scans: the record's bytes, the target and payload in them, the bytes of the next one.
+    [[nodiscard]] const std::byte* record(std::uint32_t record) const noexcept { return out_.record(record); }
+    [[nodiscard]] static StateId target(const std::byte* record) noexcept {
+        std::uint32_t state;
+        std::memcpy(&state, record, sizeof state);
+        return StateId{state};
+    }
+    [[nodiscard]] static const std::byte* payload(const std::byte* record) noexcept { return record + head_bytes; }
+    [[nodiscard]] std::size_t stride() const noexcept { return out_.stride(); }
+
     [[nodiscard]] std::byte* payload(std::uint32_t record) noexcept { return out_.record(record) + head_bytes; }
     [[nodiscard]] const std::byte* payload(std::uint32_t record) const noexcept {
         return out_.record(record) + head_bytes;
@@ -113,6 +125,8 @@ public:
         }
         --pairs_;
     }
+
+    void prefetch(StateId s) const noexcept { detail::prefetch(&nodes_[index(s)]); }
 
     // --- in-records ---
 

@@ -48,7 +48,7 @@ private:
 
 using CountCell = BasicCountCell<>;
 
-/// Fractional counts that can fade, 32 bytes: n = N(s,a,s'), the sum of the rewards seen (both scaled together, so the
+/// Fractional counts that can fade, 24 bytes: n = N(s,a,s'), the sum of the rewards seen (both scaled together, so the
 /// mean reward survives fading), a fast count for detecting change, and the terminal flag.
 struct FadingCell {
     using Number = double;
@@ -56,7 +56,7 @@ struct FadingCell {
 
     double n = 0.0;
     double reward_sum = 0.0;
-    double fast = 0.0;
+    float fast = 0.0f;
     bool ended = false;
 
     [[nodiscard]] Number count() const noexcept { return n; }

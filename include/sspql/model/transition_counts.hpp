@@ -41,23 +41,23 @@ public:
     /// One (s,s') that was observed. A view: valid until the next record, erase or grow.
     class Successor {
     public:
-        [[nodiscard]] StateId state() const noexcept { return counts_->pairs_.target(record_); }
+        [[nodiscard]] StateId state() const noexcept { return detail::Adjacency::target(bytes_); }
 
         /// N(s,a,s').
         [[nodiscard]] Number n(ActionId a) const noexcept {
-            const Cell* cell = counts_->cells_.find(counts_->pairs_.payload(record_), a);
+            const Cell* cell = counts_->cells_.find(payload(), a);
             return cell == nullptr ? Number{0} : cell->count();
         }
 
         /// Calls f(ActionId, const Cell&) for every action with N(s,a,s') > 0, in no particular order.
         template <class F>
         void for_each_action(F&& f) const {
-            counts_->cells_.for_each(counts_->pairs_.payload(record_), f);
+            counts_->cells_.for_each(payload(), f);
         }
 
         /// The cell of (s,a,s'), or nullptr if never observed.
         [[nodiscard]] const Cell* cell(ActionId a) const noexcept {
-            const Cell* found = counts_->cells_.find(counts_->pairs_.payload(record_), a);
+            const Cell* found = counts_->cells_.find(payload(), a);
             return found != nullptr && found->count() > Number{0} ? found : nullptr;
         }
 
@@ -68,8 +68,12 @@ public:
 
     private:
         friend class TransitionCounts;
-        Successor(const TransitionCounts* counts, std::uint32_t record) noexcept : counts_(counts), record_(record) {}
+        Successor(const TransitionCounts* counts, std::uint32_t record, const std::byte* bytes) noexcept
+            : counts_(counts), bytes_(bytes), record_(record) {}
+        [[nodiscard]] const std::byte* payload() const noexcept { return detail::Adjacency::payload(bytes_); }
+
         const TransitionCounts* counts_;
+        const std::byte* bytes_;  // of the record
         std::uint32_t record_;
     };
 
@@ -146,7 +150,21 @@ public:
     void for_each_successor(StateId s, F&& f) const {
         const std::uint32_t begin = pairs_.out_begin(s);
         const std::uint32_t end = begin + pairs_.out_size(s);
-        for (std::uint32_t i = begin; i < end; ++i) f(Successor(this, i));
+        const std::size_t stride = pairs_.stride();
+        const std::byte* bytes = pairs_.record(begin);
+        for (std::uint32_t i = begin; i < end; ++i, bytes += stride) f(Successor(this, i, bytes));
+    }
+
+    /// The i-th of them, i < out_degree(s).
+    [[nodiscard]] Successor successor(StateId s, std::size_t i) const noexcept {
+        const std::uint32_t at = pairs_.out_begin(s) + static_cast<std::uint32_t>(i);
+        return Successor(this, at, pairs_.record(at));
+    }
+
+    /// For somebody who soon looks at (s,a) and its successors: has them fetched into the cache. No effect else.
+    void prefetch(StateId s, ActionId a) const noexcept {
+        pairs_.prefetch(s);
+        detail::prefetch(&totals_[index(s) * actions_ + index(a)]);
     }
 
     /// Calls f(StateId predecessor, double label) for every state from which s was reached. O(in-degree).
@@ -159,7 +177,10 @@ public:
     /// of the edge into s. O(in-degree x out-degree of the predecessors), out-degrees counting up to 32.
     template <class F>
     void for_each_edge_into(StateId s, F&& f) const {
-        pairs_.for_each_predecessor(s, [&](StateId u, double) { f(u, Successor(this, pairs_.find(u, s))); });
+        pairs_.for_each_predecessor(s, [&](StateId u, double) {
+            const std::uint32_t at = pairs_.find(u, s);
+            f(u, Successor(this, at, pairs_.record(at)));
+        });
     }
 
     /// Writes the label of (s,s'), which is read from s' (for_each_predecessor) and from s (Successor::label).

@@ -33,7 +33,7 @@ template <class Agent, class Environment>
 using BeginExpression =
     std::decay_t<decltype(std::declval<Agent&>().begin(std::declval<Environment&>().reset(std::uint64_t{})))>;
 
-/// One error for what is missing: begin tells the command, without which nothing can be said about the environment's step.
+/// One error for what is missing: without the command that begin tells, nothing can be said about the step.
 template <class Environment, class Agent, bool begins>
 struct EpisodeRequirements : EnvironmentRequirements<Environment, detected_t<BeginExpression, Agent, Environment>> {};
 

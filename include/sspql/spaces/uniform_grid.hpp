@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
@@ -54,9 +55,7 @@ public:
     template <class Observation>
     [[nodiscard]] auto encode(const Observation& values) const -> decltype(static_cast<double>(values[0]), StateId{}) {
         detail::require_numbers(values, N);
-        std::size_t id = 0;
-        for (std::size_t i = 0; i < N; ++i) id = id * axes_[i].cells + cell(axes_[i], static_cast<double>(values[i]));
-        return state_id(id);
+        return state_id(box(values, std::make_index_sequence<N>{}));
     }
 
     /// The middle of a state's box: where encode() gives this state back.
@@ -85,6 +84,14 @@ public:
     [[nodiscard]] const std::array<GridAxis, N>& axes() const noexcept { return axes_; }
 
 private:
+    /// Constant indices: they convert without a warning to whatever type the observation counts in.
+    template <class Observation, std::size_t... I>
+    std::size_t box(const Observation& values, std::index_sequence<I...>) const {
+        std::size_t id = 0;
+        ((id = id * axes_[I].cells + cell(axes_[I], static_cast<double>(values[I]))), ...);
+        return id;
+    }
+
     static std::size_t cell(const GridAxis& axis, double value) {
         require_finite("observation", value);
         double unit = (value - axis.low) / (axis.high - axis.low);

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace sspql::detail {
+
+/// Asks for the memory at p to be fetched, soon to be read; nothing where the compiler cannot. p may be any address.
+inline void prefetch([[maybe_unused]] const void* p) noexcept {
+#if defined(__GNUC__)
+    __builtin_prefetch(p);
+#endif
+}
+
+}  // namespace sspql::detail

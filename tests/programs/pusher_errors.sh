@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+# What the program does not understand gives one line on stderr, nothing on stdout, exit 2, and leaves no file behind.
+set -u
+program=$1/bench/pusher_experiment
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+mkdir "$work/results"
+failures=0
+
+# refused TEXT ARGUMENTS...: TEXT must stand in the line.
+refused() {
+    text=$1
+    shift
+    "$program" "$@" >"$work/out" 2>"$work/err"
+    status=$?
+    problem=
+    [ "$status" -eq 2 ] || problem="exit $status instead of 2"
+    [ "$(wc -l <"$work/err")" -eq 1 ] || problem="$problem; not one line on stderr"
+    [ ! -s "$work/out" ] || problem="$problem; something on stdout"
+    grep -qF -- "$text" "$work/err" || problem="$problem; the line lacks '$text'"
+    left=$(ls -A "$work/results")
+    [ -z "$left" ] || problem="$problem; left behind: $left"
+    rm -rf "$work/results"
+    mkdir "$work/results"
+    if [ -n "$problem" ]; then
+        printf 'pusher_experiment %s: %s\n' "$*" "$problem"
+        cat "$work/err"
+        failures=$((failures + 1))
+    fi
+}
+
+json=$work/results/out.json
+html=$work/results/out.html
+csv=$work/results/out.csv
+all="--backend kinematic --episodes 1 --json $json --html $html --csv $csv"
+
+refused --seeds $all --seeds 0
+refused --seeds $all --seeds -3
+refused --seeds $all --seeds 1.5
+refused --seeds $all --seeds many
+refused --seeds $all --seeds 99999999999999999999
+refused --seeds $all --seeds
+refused --episodes $all --seeds 1 --episodes 0
+refused --threads $all --threads -1
+refused --steps-per-episode $all --steps-per-episode 0
+refused --noise $all --noise -1
+refused --noise $all --noise nan
+refused --noise $all --noise inf
+refused --noise $all --noise loud
+refused --backend --backend gazebo --json "$json"
+refused --task $all --task dance
+refused --starts $all --starts three
+refused --frobnicate $all --frobnicate
+refused surplus $all surplus
+
+refused "unknown learner 'dqn'" $all --learners dqn
+refused "unknown learner 'dqn'" $all --learners q,dqn
+refused "unknown learner ''" $all --learners q,
+refused "named twice" $all --learners q,q
+refused "unknown key 'lambada'" $all --learners sspql --set sspql.lambada=1
+refused "unknown key 'lambda'" $all --learners q --set q.lambda=1
+refused "none of the learners" $all --learners q --set sspql.lambda=1
+refused "no number" $all --learners sspql --set sspql.lambda=much
+refused "no number" $all --learners sspql --set sspql.lambda=
+refused "NAME.key=value" $all --learners sspql --set sspql.lambda
+refused "gamma must lie in [0, 1], got 1.5" $all --learners q --set q.gamma=1.5
+refused "alpha must lie in [0, 1], got 2" $all --learners q --set '*.alpha=2'
+refused "got -0.1" $all --learners q --set '*.alpha=-0.1'
+refused "noise" $all --learners q --set q.noise=0
+refused "lambda" $all --learners sspql --set sspql.lambda=-1
+refused "none of noise, epsilon-greedy, boltzmann" $all --learners q --set q.selector=luck
+
+refused /nowhere/out.json --backend kinematic --seeds 1 --episodes 1 --json /nowhere/out.json --csv "$csv"
+refused "$work/results" --backend kinematic --seeds 1 --episodes 1 --csv "$csv" --json "$work/results"
+refused /nowhere/out.html --backend kinematic --seeds 1 --episodes 1 --json "$json" --html /nowhere/out.html
+refused /nowhere/out.csv --backend kinematic --seeds 1 --episodes 1 --json "$json" --csv /nowhere/out.csv
+
+# A result that was there survives a command line that is refused.
+echo precious >"$work/kept.json"
+"$program" --backend kinematic --seeds 0 --json "$work/kept.json" >/dev/null 2>&1
+[ "$(cat "$work/kept.json")" = precious ] || {
+    echo "a refused command changed the file it should have written"
+    failures=$((failures + 1))
+}
+
+# The other way round: what is right is accepted, with exit 0 and nothing on stderr but progress.
+"$program" $all --seeds 1 --learners q,sspql --set '*.gamma=.9' --set sspql.lambda=1 >"$work/out" 2>"$work/err" || {
+    echo "a good command line was refused"
+    cat "$work/err"
+    failures=$((failures + 1))
+}
+for file in "$json" "$html" "$csv"; do
+    [ -s "$file" ] || {
+        echo "$file was not written"
+        failures=$((failures + 1))
+    }
+done
+for option in --help --version; do
+    "$program" $option >"$work/out" 2>"$work/err" || failures=$((failures + 1))
+    [ -s "$work/out" ] && [ ! -s "$work/err" ] || {
+        echo "$option must answer on stdout"
+        failures=$((failures + 1))
+    }
+done
+
+[ "$failures" -eq 0 ]
