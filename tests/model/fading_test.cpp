@@ -75,7 +75,7 @@ TEST(Fading, MarksItsStateDirty) {
 TEST(Fading, AForgottenOutcomeStartsAnew) {
     TransitionCounts<FadingCell> counts(2, 1);
     counts.record(s0, a0, s1, true, 5.0, 9.0);
-    counts.cell(s0, a0, s1)->fast = 0.7;
+    counts.cell(s0, a0, s1)->fast = 0.5f;
     counts.fade(s0, a0, 0.0, 0.1);
     counts.record(s0, a0, s1, false, 1.0, 3.0);
     const FadingCell* cell = counts.cell(s0, a0, s1);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -57,7 +58,7 @@ public:
     }
 
 private:
-    static constexpr std::size_t batch = 8;
+    static constexpr std::size_t most_at_once = 32;
 
     void learn(const Transition& t) {
         Base::remember(t);
@@ -65,33 +66,37 @@ private:
         update(t);
         std::size_t left = this->params_.planning_steps;
         if (this->params_.replay == Replay::from_counts && !(this->params_.kappa > 0.0)) {
-            for (; left >= batch; left -= batch) plan_batch();
+            while (left > 0) {
+                const std::size_t n = std::min(left, most_at_once);
+                plan_at_once(n);
+                left -= n;
+            }
         }
         for (; left > 0; --left) plan();
     }
 
-    /// The same as `batch` times plan(): draws, look-ups and outcomes do not depend on the values, so that those of
-    /// several steps can wait for memory together.
-    void plan_batch() {
-        std::array<std::size_t, batch> picks;
-        std::array<double, batch> draws;
-        std::array<typename Base::Model::Drawn, batch> outcomes;
-        for (std::size_t i = 0; i < batch; ++i) {
+    /// The same as n <= most_at_once times plan(): draws, look-ups and outcomes do not depend on the values, so that
+    /// those of several steps can wait for memory together.
+    void plan_at_once(std::size_t n) {
+        std::array<std::size_t, most_at_once> picks;
+        std::array<double, most_at_once> draws;
+        std::array<typename Base::Model::Drawn, most_at_once> outcomes;
+        for (std::size_t i = 0; i < n; ++i) {
             picks[i] = this->random_.below(last_.size());
             draws[i] = this->random_.uniform();
             last_.prefetch(picks[i]);
         }
-        for (std::size_t i = 0; i < batch; ++i) {
+        for (std::size_t i = 0; i < n; ++i) {
             const Transition& seen = last_.tried(picks[i]);
             this->model_.counts().prefetch(seen.state, seen.action);
             this->q_.prefetch(seen.state);
         }
-        for (std::size_t i = 0; i < batch; ++i) {
+        for (std::size_t i = 0; i < n; ++i) {
             const Transition& seen = last_.tried(picks[i]);
             outcomes[i] = this->model_.draw(seen.state, seen.action, draws[i]);
             this->q_.prefetch(outcomes[i].next);
         }
-        for (std::size_t i = 0; i < batch; ++i) {
+        for (std::size_t i = 0; i < n; ++i) {
             const Transition& seen = last_.tried(picks[i]);
             const auto& [cell, next] = outcomes[i];
             update({seen.state, seen.action, cell->reward_sum / cell->count(), next, cell->terminal(), 1.0});
