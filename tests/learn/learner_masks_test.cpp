@@ -110,3 +110,27 @@ TEST(SspqlMasks, PathsAvoidWhatBecameIllegal) {
     learner.update_paths();
     EXPECT_EQ(learner.ssp_values().action(state_id(0)), action_id(1));
 }
+
+#if SSPQL_ENABLE_ASSERTIONS && GTEST_HAS_DEATH_TEST
+namespace {
+
+struct Stubborn {  // does not look at the mask
+    template <class Allowed, class Score>
+    ActionId operator()(std::size_t, const Allowed&, const Score&, Random&) const {
+        return action_id(0);
+    }
+};
+struct StubbornPolicies : SspqlPolicies {
+    using Selector = Stubborn;
+};
+
+}  // namespace
+
+TEST(SelectorDeathTest, AnIllegalChoiceIsAsserted) {
+    Sspql<StubbornPolicies> learner(3, 2);
+    EXPECT_EQ(learner.begin(state_id(1)), action_id(0));
+    learner.abort();
+    learner.set_legal_actions(state_id(0), ActionSet::of(2, {action_id(1)}));
+    EXPECT_DEATH((void)learner.begin(state_id(0)), "a Selector chooses an allowed action");
+}
+#endif

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include <sspql/core/assert.hpp>
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/core/random.hpp>
@@ -108,8 +109,11 @@ protected:
 
     ActionId select(StateId s) {
         const Derived& self = static_cast<const Derived&>(*this);
-        return params_.selector(
-            Base::actions(), Base::legal().allowed(s), [&](ActionId a) { return self.score(s, a); }, random_);
+        const auto& allowed = Base::legal().allowed(s);
+        const ActionId chosen = params_.selector(
+            Base::actions(), allowed, [&](ActionId a) { return self.score(s, a); }, random_);
+        SSPQL_ASSERT(index(chosen) < Base::actions() && allowed.contains(chosen), "a Selector chooses an allowed action");
+        return chosen;
     }
 
     [[nodiscard]] double score(StateId s, ActionId a) const noexcept {
