@@ -108,7 +108,8 @@ public:
     }
 
     /// Other goals from now on, reached before or not; they replace those discovered by rewards. What was
-    /// learnt about the world stays and is used at once; values learnt from rewards for the old goals are reset.
+    /// learnt about the world stays and is used at once; values learnt from rewards for the old goals, and a trainer's hints,
+    /// are reset.
     /// An empty list goes back to goals discovered by rewards.
     /// \throws std::invalid_argument for a state outside or an offset that is not finite and >= 0.
     void set_goals(const std::vector<Goal>& goals) {

@@ -87,8 +87,10 @@ struct SspqlParams : ValueParams<Policies> {
 /// (eq. 2), finds the shortest paths from all states to the goals, and turns them into Q_SSP (eq. 5). Actions are chosen
 /// by w_Q Q + w_SSP(N) Q_SSP + w_EXP Q_EXP plus noise (eq. 8). Goals: GoalBook.
 ///
-/// Interface, errors and threads: Learner. A step is O(|A|) and, after reserve(), allocates nothing; an episode's end is
-/// O(m + n log n) for n states and m distinct (s,s').
+/// Interface, errors and threads: Learner. A step is O(|A|) and, after reserve(), allocates nothing, except for the first
+/// weight other than 1, for masks, and beyond 32 successors of a state or 8 actions; an episode's end is O(m + n log n)
+/// for n states and m distinct (s,s').
+/// With step costs every state that ends an episode counts as a goal (GoalBook): where there are hazards too, set_goals.
 /// Known limits of the method: an edge's cost is bounded, so a blocked edge is never dropped; paths are renewed only when
 /// an episode ends; one successor per edge counts, so a hazard beside the path costs nothing.
 /// Deviation: N(s,a) in eq. 9 counts visits since the goals were last set, so that a new goal is followed at once.
