@@ -40,7 +40,9 @@ namespace sspql {
 ///     ActionId select(StateId)              choose with exploration
 ///     void learn(const Transition&)         an outcome; ids and numbers are checked
 ///     ActionId advance(const Transition& t) optional: learn(t), then select(t.next), which is the default
+///     void episode_begun()                  optional: before the first choice of an episode
 ///     void episode_ended()                  after the last learn of an episode
+///     void legal_actions_changed(StateId)   optional: another mask holds
 ///     double value(StateId, ActionId) const what best() maximises
 ///     void goals_changed(const std::vector<Goal>&)   other goals hold from now on; empty: discover them
 template <class Derived, class LegalActions>
@@ -55,6 +57,7 @@ public:
         const std::size_t states = admitted(s, states_, "state");
         require_choice(s);
         grow_to(states);
+        derived().episode_begun();
         state_ = s;
         action_ = derived().select(s);
         return action_;
@@ -130,6 +133,7 @@ public:
         if (mask.is_empty()) throw_invalid("mask of state " + std::to_string(index(s)), "allow an action; actions", 0);
         grow_to(states);
         if constexpr (stores_masks_v<L>) legal_.set(s, mask);  // else the static_assert stays the only error
+        derived().legal_actions_changed(s);
     }
 
     /// Adds states up to `states` in all, for a learner that grows. \throws std::invalid_argument if it does not grow.
@@ -173,6 +177,9 @@ protected:
 
     [[nodiscard]] LegalActions& legal() noexcept { return legal_; }
     [[nodiscard]] const LegalActions& legal() const noexcept { return legal_; }
+
+    void episode_begun() noexcept {}
+    void legal_actions_changed(StateId /*s*/) noexcept {}
 
     ActionId advance(const Transition& t) {
         derived().learn(t);

@@ -217,6 +217,18 @@ public:
         pairs_.mark_dirty(s);
     }
 
+    /// Calls f(StateId next, Cell&) for every outcome of (s,a): for changing what Cell adds to counting, such as a fast
+    /// count. Changed counts must be followed by fade(), which sums them up. O(out-degree).
+    template <class F>
+    void for_each_cell(StateId s, ActionId a, F&& f) {
+        const std::uint32_t begin = pairs_.out_begin(s);
+        const std::uint32_t end = begin + pairs_.out_size(s);
+        for (std::uint32_t i = begin; i < end; ++i) {
+            Cell* found = cells_.find(pairs_.payload(i), a);
+            if (found != nullptr && found->count() > Number{0}) f(pairs_.target(i), *found);
+        }
+    }
+
     /// The cell for changing what Cell adds to counting, such as a fast count; nullptr if never observed.
     [[nodiscard]] Cell* cell(StateId s, ActionId a, StateId next) noexcept {
         return const_cast<Cell*>(std::as_const(*this).cell(s, a, next));
