@@ -5,9 +5,12 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <set>
+#include <type_traits>
 #include <utility>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -54,6 +57,7 @@ public:
                 actions[a].reward *= factor;
                 if (actions[a].n < least) actions.erase(a);
             }
+            erasures_ += actions.empty() ? 1 : 0;
             at = actions.empty() ? pairs_.erase(at) : std::next(at);
         }
         dirty_.insert(s);
@@ -79,6 +83,7 @@ public:
         using sspql::action_id;
         using sspql::state_id;
         EXPECT_EQ(counts.pairs(), pairs_.size());
+        EXPECT_EQ(counts.erasures(), erasures_);
         std::map<std::pair<std::size_t, std::size_t>, double> totals;
         std::map<std::size_t, std::size_t> in, out;
         for (const auto& [key, pair] : pairs_) {
@@ -100,6 +105,16 @@ public:
                 ASSERT_NE(found, pairs_.end()) << s << " -> " << index(successor.state());
                 expect_same_pair(counts, state_id(s), successor, found->second);
             });
+            expect_same_outcomes(counts, state_id(s));
+            std::size_t edges = 0;
+            counts.for_each_edge_into(state_id(s), [&](sspql::StateId u, const auto& edge) {
+                ++edges;
+                EXPECT_EQ(index(edge.state()), s);
+                const auto found = pairs_.find({index(u), s});
+                ASSERT_NE(found, pairs_.end()) << index(u) << " -> " << s;
+                expect_same_pair(counts, u, edge, found->second);
+            });
+            EXPECT_EQ(edges, in[s]);
             counts.for_each_predecessor(state_id(s), [&](sspql::StateId u, double label) {
                 ++backward;
                 const auto found = pairs_.find({index(u), s});
@@ -120,6 +135,33 @@ private:
             EXPECT_TRUE(std::isnan(label)) << "a label nobody wrote";
         } else {
             EXPECT_EQ(label, expected);
+        }
+    }
+
+    /// for_each_outcome says of every (s,a) what for_each_successor says, in its order.
+    template <class Counts>
+    static void expect_same_outcomes(const Counts& counts, sspql::StateId s) {
+        for (std::size_t a = 0; a < counts.actions(); ++a) {
+            using Cell = std::decay_t<decltype(*counts.cell(s, sspql::action_id(a), s))>;
+            std::vector<std::pair<sspql::StateId, const Cell*>> outcomes;
+            counts.for_each_outcome(s, sspql::action_id(a), [&](sspql::StateId next, const Cell& cell) {
+                outcomes.emplace_back(next, &cell);
+            });
+            std::size_t place = 0;
+            counts.for_each_n(s, sspql::action_id(a), [&](auto n) {
+                ASSERT_LT(place, counts.out_degree(s));
+                EXPECT_EQ(n, counts.successor(s, place++).n(sspql::action_id(a)));
+            });
+            EXPECT_EQ(place, counts.out_degree(s));
+            std::size_t i = 0;
+            counts.for_each_successor(s, [&](const auto& successor) {
+                if (successor.cell(sspql::action_id(a)) == nullptr) return;
+                ASSERT_LT(i, outcomes.size());
+                EXPECT_EQ(outcomes[i].first, successor.state());
+                EXPECT_EQ(outcomes[i].second, successor.cell(sspql::action_id(a)));
+                ++i;
+            });
+            EXPECT_EQ(i, outcomes.size());
         }
     }
 
@@ -151,6 +193,7 @@ private:
 
     std::map<std::pair<std::size_t, std::size_t>, Pair> pairs_;
     std::set<std::size_t> dirty_;
+    std::uint64_t erasures_ = 0;
 };
 
 }  // namespace sspql_test

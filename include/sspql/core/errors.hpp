@@ -51,6 +51,14 @@ template <class T>
     throw std::invalid_argument(name + " must " + requirement + ", got " + detail::offending_text(value));
 }
 
+namespace detail {
+
+[[noreturn]] inline void throw_outside(const char* name, double value, double least, double most) {
+    throw_invalid(name, "lie in [" + to_text(least) + ", " + to_text(most) + "]", value);
+}
+
+}  // namespace detail
+
 /// `value` itself if it is neither NaN nor infinite.
 inline double require_finite(const char* name, double value) {
     if (!std::isfinite(value)) throw_invalid(name, "be finite", value);
@@ -59,9 +67,7 @@ inline double require_finite(const char* name, double value) {
 
 /// `value` itself if it lies in the closed interval [least, most].
 inline double require_in(const char* name, double value, double least, double most) {
-    if (!(value >= least && value <= most)) {
-        throw_invalid(name, "lie in [" + detail::to_text(least) + ", " + detail::to_text(most) + "]", value);
-    }
+    if (!(value >= least && value <= most)) detail::throw_outside(name, value, least, most);
     return value;
 }
 

@@ -47,7 +47,7 @@ public:
     [[nodiscard]] const State& state() const noexcept { return state_; }
 
     /// 64 random bits.
-    std::uint64_t bits() noexcept {
+    [[gnu::always_inline]] std::uint64_t bits() noexcept {
         const std::uint64_t result = rotate(state_[1] * 5, 7) * 9;
         const std::uint64_t t = state_[1] << 17;
         state_[2] ^= state_[0];
@@ -60,7 +60,7 @@ public:
     }
 
     /// Uniform in [0, 1): a multiple of 2^-53.
-    double uniform() noexcept { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+    [[gnu::always_inline]] double uniform() noexcept { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
 
     /// Uniform in [low, high); low itself if both are equal.
     double uniform(double low, double high) noexcept {
@@ -72,7 +72,7 @@ public:
     bool chance(double p) noexcept { return uniform() < p; }
 
     /// Uniform on 0 .. n-1, without bias (Lemire 2019). Precondition: n > 0.
-    std::size_t below(std::size_t n) noexcept {
+    [[gnu::always_inline]] std::size_t below(std::size_t n) noexcept {
         SSPQL_ASSERT(n > 0, "a draw needs at least one value");
         const auto range = static_cast<std::uint64_t>(n);
         std::uint64_t low = 0;
@@ -114,8 +114,14 @@ private:
         return z ^ (z >> 31);
     }
 
-    /// The 128-bit product of a and b in two halves, without compiler extensions.
+    /// The 128-bit product of a and b in two halves; by hand where the compiler has no such type.
     static std::uint64_t multiply(std::uint64_t a, std::uint64_t b, std::uint64_t& low) noexcept {
+#if defined(__SIZEOF_INT128__)
+        __extension__ using Product = unsigned __int128;
+        const Product product = static_cast<Product>(a) * b;
+        low = static_cast<std::uint64_t>(product);
+        return static_cast<std::uint64_t>(product >> 64);
+#else
         const std::uint64_t a0 = a & 0xFFFFFFFFu;
         const std::uint64_t a1 = a >> 32;
         const std::uint64_t b0 = b & 0xFFFFFFFFu;
@@ -126,6 +132,7 @@ private:
         const std::uint64_t middle = (p00 >> 32) + (p01 & 0xFFFFFFFFu) + (p10 & 0xFFFFFFFFu);
         low = (middle << 32) | (p00 & 0xFFFFFFFFu);
         return a1 * b1 + (p01 >> 32) + (p10 >> 32) + (middle >> 32);
+#endif
     }
 
     State state_{};

@@ -1,169 +1,217 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 #include <sspql/core/assert.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/model/edge_weights.hpp>
+#include <sspql/model/neighbours.hpp>
 #include <sspql/model/prefetch.hpp>
-#include <sspql/model/record_slab.hpp>
+#include <sspql/model/state_bodies.hpp>
 
 namespace sspql::detail {
 
 /// Which states follow which: the skeleton under TransitionCounts.
 ///
-/// Per state one contiguous block of out-records {s', slot of the in-record, payload} and one of in-records
-/// {s, label}. The slot links the two, so that a cost can be written where searches read it, without looking for it.
-/// Besides: one mean weight per (s, s') (an array that exists only once a weight differs from 1), and the list of dirty
-/// states, those whose out-records changed since somebody cleared them.
+/// The slot of a successor is its place among the predecessors there, so that a cost can be written where searches read
+/// it, without looking for it. Besides: one mean weight per (s, s'), and the list of dirty states, those whose
+/// successors changed since somebody cleared them. Where it all lies: StateBodies.
 ///
 /// find is O(out-degree) up to 32 successors and O(1) expected beyond (hash index for those states only), insert O(1)
 /// amortised, erase O(out-degrees involved).
+template <class Number>
 class Adjacency {
 public:
     static constexpr std::uint32_t none = 0xFFFFFFFFu;
     static constexpr std::uint32_t hub_degree = 32;
 
-    /// \param payload bytes of an out-record that belong to the owner.
-    explicit Adjacency(std::size_t payload, std::size_t alignment)
-        : out_((head_bytes + payload + alignment - 1) / alignment * alignment), in_(in_bytes) {}
+    /// (s, s'), valid until the next insert or erase.
+    struct Edge {
+        Successors block;
+        std::uint32_t at = 0;     // in the block
+        std::uint32_t place = 0;  // among all successors of s
+        StateId from{};           // s
+    };
 
-    [[nodiscard]] std::size_t states() const noexcept { return nodes_.size(); }
-    void grow(std::size_t states) { nodes_.resize(states); }
+    /// \param rows rows of cells in a block of successors; \param cell bytes of a cell.
+    Adjacency(std::size_t actions, std::size_t rows, std::size_t cell) : bodies_(actions, rows, cell) {}
+
+    [[nodiscard]] std::size_t states() const noexcept { return bodies_.states(); }
+
+    void grow(std::size_t states) {
+        bodies_.grow(states);
+        if (has_weights()) weights_.fit(bodies_);
+    }
 
     /// Room for `states` states and `pairs` distinct (s, s') without allocating.
     void reserve(std::size_t states, std::size_t pairs) {
-        nodes_.reserve(states);
+        bodies_.reserve(states, pairs);
         dirty_.reserve(states);
-        // With blocks that were outgrown and found no other taker, d records of a state take up at most 4 + 4 d places up
-        // to hub_degree, and 4 + 5 d beyond. What is not used stays untouched address space.
-        out_.reserve(4 * states + 4 * pairs);
-        in_.reserve(4 * states + 5 * pairs);
-        if (!weights_.empty()) weights_.reserve(4 * states + 4 * pairs);
+        if (has_weights()) weights_.reserve(bodies_);
     }
 
-    // --- out-records: absolute indices, valid until the next insert or erase ---
+    // --- states ---
 
-    [[nodiscard]] std::uint32_t out_begin(StateId s) const noexcept { return nodes_[index(s)].out_begin; }
-    [[nodiscard]] std::uint32_t out_size(StateId s) const noexcept { return nodes_[index(s)].out_size; }
+    /// N(s,0), N(s,1), ...
+    [[nodiscard]] Number* totals(StateId s) const noexcept { return bodies_.totals(s); }
 
-    [[nodiscard]] StateId target(std::uint32_t record) const noexcept { return StateId{head(record).state}; }
+    [[nodiscard]] std::uint32_t out_size(StateId s) const noexcept { return head(s)->out_size; }
+    [[nodiscard]] std::uint32_t in_size(StateId s) const noexcept { return head(s)->in_size; }
 
-    /// The same by address, for scans: the record's bytes, the target and payload in them, the bytes of the next one.
-    [[nodiscard]] const std::byte* record(std::uint32_t record) const noexcept { return out_.record(record); }
-    [[nodiscard]] static StateId target(const std::byte* record) noexcept {
-        std::uint32_t state;
-        std::memcpy(&state, record, sizeof state);
-        return StateId{state};
-    }
-    [[nodiscard]] static const std::byte* payload(const std::byte* record) noexcept { return record + head_bytes; }
-    [[nodiscard]] std::size_t stride() const noexcept { return out_.stride(); }
-
-    [[nodiscard]] std::byte* payload(std::uint32_t record) noexcept { return out_.record(record) + head_bytes; }
-    [[nodiscard]] const std::byte* payload(std::uint32_t record) const noexcept {
-        return out_.record(record) + head_bytes;
+    /// Has what is known of s and row number `row` of its first successors fetched.
+    void prefetch(StateId s, std::size_t row) const noexcept {
+        const Head* of_s = head(s);
+        detail::prefetch(of_s);
+        const std::byte* cells = bodies_.inner_out(of_s).row(row, cell());
+        detail::prefetch(cells);
+        detail::prefetch(cells + inner_size * cell() - 1);
     }
 
-    /// The out-record of (s, next), or `none`.
+    // --- successors ---
+
+    /// The place of next among the successors of s, or `none`.
     [[nodiscard]] std::uint32_t find(StateId s, StateId next) const noexcept {
-        const Node& node = nodes_[index(s)];
-        if (node.out_size > hub_degree) {
-            const auto found = hubs_.find(key(s, next));
-            return found == hubs_.end() ? none : node.out_begin + found->second;
-        }
-        const std::byte* record = out_.record(node.out_begin);
-        for (std::uint32_t i = 0; i < node.out_size; ++i, record += out_.stride()) {
-            std::uint32_t state;
-            std::memcpy(&state, record, sizeof state);
-            if (state == static_cast<std::uint32_t>(next)) return node.out_begin + i;
-        }
-        return none;
+        const std::uint32_t place = find_inner(s, next);
+        return place != none || head(s)->out_size <= inner_size ? place : find_outer(s, next);
     }
 
-    /// Adds (s, next), which must be absent, with a payload of zeros, weight 1 and a label that no search may read yet.
+    /// The same, in the body only.
+    [[gnu::always_inline, nodiscard]] std::uint32_t find_inner(StateId s, StateId next) const noexcept {
+        const std::uint32_t* target = bodies_.inner_out(head(s)).targets;
+        const std::uint32_t wanted = Successors::target(next);
+        // Four without a branch: which one it is nobody can predict. Unused places hold no state.
+        const auto last = static_cast<std::uint32_t>(target[3] == wanted);
+        const std::uint32_t place = (static_cast<std::uint32_t>(target[1] == wanted) | last) +
+                                    2u * (static_cast<std::uint32_t>(target[2] == wanted) | last);
+        return target[place] == wanted ? place : none;
+    }
+
+    /// The successors within the body.
+    [[nodiscard]] Successors inner_successors(StateId s) const noexcept { return bodies_.inner_out(head(s)); }
+
+    /// Adds (s, next), which must be absent, with cells of zeros, weight 1 and a label that no search may read yet.
+    /// \returns its place.
     std::uint32_t insert(StateId s, StateId next) {
-        SSPQL_ASSERT(find(s, next) == none, "one record for each pair");
-        make_room(out_, nodes_[index(s)].out_begin, nodes_[index(s)].out_size, nodes_[index(s)].out_class, true);
-        make_room(in_, nodes_[index(next)].in_begin, nodes_[index(next)].in_size, nodes_[index(next)].in_class, false);
-        Node& node = nodes_[index(s)];
-        Node& other = nodes_[index(next)];
-        if (node.out_size >= hub_degree) index_hub(s, next);
-        const std::uint32_t record = node.out_begin + node.out_size++;
-        std::memset(out_.record(record), 0, out_.stride());
-        set_head(record, {static_cast<std::uint32_t>(next), other.in_size});
-        if (!weights_.empty()) weights_[record] = 1.0;
-        const std::uint32_t slot = other.in_begin + other.in_size++;
-        const auto from = static_cast<std::uint32_t>(s);
-        std::memcpy(in_.record(slot), &from, sizeof from);
-        write_label(slot, std::numeric_limits<double>::quiet_NaN());
+        Head* from = head(s);
+        Head* to = head(next);
+        const std::uint32_t place = from->out_size;
+        if (bodies_.out_full(from)) enlarge_out(from);
+        const std::uint32_t slot = to->in_size;
+        if (bodies_.in_full(to)) bodies_.enlarge_in(to);
+        if (place >= hub_degree) index_hub(s, next);
+        from->out_size = (place + 1) & 0x7FFFFFFFu;
+        const Edge edge = this->edge(s, place);
+        edge.block.set(edge.at, next);
+        edge.block.slots()[edge.at] = slot;
+        for (std::size_t r = 0; r < bodies_.rows(); ++r) std::memset(edge.block.cell(r, edge.at, cell()), 0, cell());
+        if (has_weights()) set_weight(edge, 1.0);
+        to->in_size = slot + 1;
+        const auto [block, at] = in_at(to, slot);
+        block.from[at] = static_cast<std::uint32_t>(s);
+        block.labels()[at] = std::numeric_limits<double>::quiet_NaN();
         ++pairs_;
-        return record;
+        return place;
     }
 
-    /// Removes an out-record of s and its in-record. The last out-record of s takes its place.
-    void erase(StateId s, std::uint32_t record) {
-        const Head gone = head(record);
-        erase_in(StateId{gone.state}, gone.slot);
-        Node& node = nodes_[index(s)];
-        const std::uint32_t last = node.out_begin + node.out_size - 1;
-        const bool hub = node.out_size > hub_degree;
-        if (hub) hubs_.erase(key(s, StateId{gone.state}));
-        if (record != last) {
-            std::memcpy(out_.record(record), out_.record(last), out_.stride());
-            if (!weights_.empty()) weights_[record] = weights_[last];
-            if (hub) hubs_[key(s, StateId{head(record).state})] = record - node.out_begin;
+    /// Removes the successor of s at this place, and s from its predecessors. The last successor takes its place.
+    void erase(StateId s, std::uint32_t place) {
+        Head* of_s = head(s);
+        const Edge gone = edge(s, place);
+        const StateId next = gone.block.state(gone.at);
+        erase_in(next, gone.block.slots()[gone.at]);
+        const std::uint32_t last_place = of_s->out_size - 1;
+        const Edge last = edge(s, last_place);
+        const bool hub = of_s->out_size > hub_degree;
+        if (hub) hubs_.erase(key(s, next));
+        if (place != last_place) {
+            gone.block.targets[gone.at] = last.block.targets[last.at];
+            gone.block.slots()[gone.at] = last.block.slots()[last.at];
+            for (std::size_t r = 0; r < bodies_.rows(); ++r) {
+                std::memcpy(gone.block.cell(r, gone.at, cell()), last.block.cell(r, last.at, cell()), cell());
+            }
+            if (has_weights()) set_weight(gone, weight(last));
+            if (hub) hubs_[key(s, gone.block.state(gone.at))] = place;
         }
-        --node.out_size;
-        if (hub && node.out_size == hub_degree) {
-            for (std::uint32_t i = 0; i < node.out_size; ++i) hubs_.erase(key(s, target(node.out_begin + i)));
+        last.block.targets[last.at] = 0;
+        of_s->out_size = last_place & 0x7FFFFFFFu;
+        if (hub && last_place == hub_degree) {
+            for_each_edge(s, [&](const Edge& edge) { hubs_.erase(key(s, edge.block.state(edge.at))); });
         }
         --pairs_;
+        ++erasures_;
     }
 
-    void prefetch(StateId s) const noexcept { detail::prefetch(&nodes_[index(s)]); }
+    [[gnu::always_inline, nodiscard]] Edge edge(StateId s, std::uint32_t place) const noexcept {
+        const Head* of_s = head(s);
+        if (place < inner_size) return {bodies_.inner_out(of_s), place, place, s};
+        return {bodies_.outer_out(of_s), place - inner_size, place, s};
+    }
 
-    // --- in-records ---
-
-    [[nodiscard]] std::uint32_t in_size(StateId s) const noexcept { return nodes_[index(s)].in_size; }
-
-    /// Calls f(StateId predecessor, double label) for every in-record of s.
+    /// Calls f(const Successors& block, size, place of the first) for the blocks of the successors of s.
     template <class F>
-    void for_each_predecessor(StateId s, F&& f) const {
-        const Node& node = nodes_[index(s)];
-        const std::byte* record = in_.record(node.in_begin);
-        for (std::uint32_t i = 0; i < node.in_size; ++i, record += in_bytes) {
-            std::uint32_t from;
-            double label;
-            std::memcpy(&from, record, sizeof from);
-            std::memcpy(&label, record + sizeof from, sizeof label);
-            f(StateId{from}, label);
+    [[gnu::always_inline]] void for_each_block(StateId s, F&& f) const {
+        const Head* of_s = head(s);
+        const std::uint32_t size = of_s->out_size;
+        Successors block = bodies_.inner_out(of_s);
+        for (std::uint32_t begin = 0, end = std::min(size, inner_size);;) {
+            f(static_cast<const Successors&>(block), end - begin, begin);
+            if (end == size) return;
+            block = bodies_.outer_out(of_s);
+            begin = end;
+            end = size;
         }
     }
 
-    [[nodiscard]] double label(std::uint32_t out_record) const noexcept {
-        double value;
-        std::memcpy(&value, in_.record(in_record(out_record)) + sizeof(std::uint32_t), sizeof value);
-        return value;
+    /// Calls f(const Edge&) for every successor of s, by place.
+    template <class F>
+    void for_each_edge(StateId s, F&& f) const {
+        for_each_block(s, [&](const Successors& block, std::uint32_t size, std::uint32_t first) {
+            for (std::uint32_t i = 0; i < size; ++i) f(Edge{block, i, first + i, s});
+        });
     }
 
-    void set_label(std::uint32_t out_record, double value) noexcept { write_label(in_record(out_record), value); }
+    // --- predecessors ---
+
+    /// Calls f(StateId predecessor, double label) for every predecessor of s.
+    template <class F>
+    void for_each_predecessor(StateId s, F&& f) const {
+        const Head* of_s = head(s);
+        std::uint32_t left = of_s->in_size;
+        Predecessors block = bodies_.inner_in(of_s);
+        for (std::uint32_t size = std::min(left, inner_size);; size = left) {
+            const double* label = block.labels();
+            for (std::uint32_t i = 0; i < size; ++i) f(StateId{block.from[i]}, label[i]);
+            left -= size;
+            if (left == 0) return;
+            block = bodies_.outer_in(of_s);
+        }
+    }
+
+    [[nodiscard]] double& label(const Edge& edge) const noexcept {
+        const StateId next = edge.block.state(edge.at);
+        const auto [block, at] = in_at(head(next), edge.block.slots()[edge.at]);
+        return block.labels()[at];
+    }
 
     // --- weights ---
 
-    [[nodiscard]] double weight(std::uint32_t record) const noexcept { return weights_.empty() ? 1.0 : weights_[record]; }
+    [[nodiscard]] double weight(const Edge& edge) const noexcept {
+        return has_weights() ? weights_.at(bodies_, edge.from, edge.place) : 1.0;
+    }
 
-    void set_weight(std::uint32_t record, double value) {
-        if (weights_.empty()) {
-            weights_.reserve(out_.bytes() / out_.stride());  // what was reserved holds for weights, too
-            weights_.resize(out_.extent(), 1.0);
+    void set_weight(const Edge& edge, double value) {
+        if (!has_weights()) {
+            weights_.reserve(bodies_);  // what was reserved holds for weights, too
+            weights_.fit(bodies_);
         }
-        weights_[record] = value;
+        weights_.at(bodies_, edge.from, edge.place) = value;
     }
 
     [[nodiscard]] bool has_weights() const noexcept { return !weights_.empty(); }
@@ -171,111 +219,97 @@ public:
     // --- dirty states ---
 
     void mark_dirty(StateId s) {
-        Node& node = nodes_[index(s)];
-        if (node.dirty) return;
+        Head* of_s = head(s);
+        if (of_s->dirty != 0) return;
         dirty_.push_back(s);
-        node.dirty = true;
+        of_s->dirty = 1;
     }
 
     [[nodiscard]] const std::vector<StateId>& dirty() const noexcept { return dirty_; }
 
     void clear_dirty() noexcept {
-        for (const StateId s : dirty_) nodes_[index(s)].dirty = false;
+        for (const StateId s : dirty_) head(s)->dirty = 0;
         dirty_.clear();
     }
 
     [[nodiscard]] std::size_t pairs() const noexcept { return pairs_; }
+    [[nodiscard]] std::uint64_t erasures() const noexcept { return erasures_; }
 
     [[nodiscard]] std::size_t bytes() const noexcept {
-        return nodes_.capacity() * sizeof(Node) + out_.bytes() + in_.bytes() + weights_.capacity() * sizeof(double) +
-               dirty_.capacity() * sizeof(StateId) + hubs_.size() * 3 * sizeof(std::uint64_t) +
-               hubs_.bucket_count() * sizeof(void*);
+        return bodies_.bytes() + weights_.bytes() + dirty_.capacity() * sizeof(StateId) +
+               hubs_.size() * 3 * sizeof(std::uint64_t) + hubs_.bucket_count() * sizeof(void*);
     }
 
 private:
-    struct Node {
-        std::uint32_t out_begin = 0;
-        std::uint32_t in_begin = 0;
-        std::uint32_t out_size = 0;
-        std::uint32_t in_size = 0;
-        std::uint8_t out_class = RecordSlab::no_block;
-        std::uint8_t in_class = RecordSlab::no_block;
-        bool dirty = false;
-    };
-    struct Head {
-        std::uint32_t state;
-        std::uint32_t slot;
-    };
-    static constexpr std::size_t head_bytes = sizeof(Head);
-    static constexpr std::size_t in_bytes = sizeof(std::uint32_t) + sizeof(double);  // unpadded: read by memcpy
+    using Bodies = StateBodies<Number>;
+    using Head = typename Bodies::Head;
+    static constexpr std::uint32_t inner_size = Bodies::inner_size;
 
     static std::uint64_t key(StateId s, StateId next) noexcept {
         return (static_cast<std::uint64_t>(s) << 32) | static_cast<std::uint64_t>(next);
     }
 
-    [[nodiscard]] Head head(std::uint32_t record) const noexcept {
-        Head value;
-        std::memcpy(&value, out_.record(record), sizeof value);
-        return value;
-    }
-    void set_head(std::uint32_t record, Head value) noexcept { std::memcpy(out_.record(record), &value, sizeof value); }
+    [[nodiscard]] Head* head(StateId s) const noexcept { return bodies_.head(s); }
+    [[nodiscard]] std::size_t cell() const noexcept { return bodies_.cell(); }
 
-    [[nodiscard]] std::size_t in_record(std::uint32_t out_record) const noexcept {
-        const Head h = head(out_record);
-        return std::size_t{nodes_[h.state].in_begin} + h.slot;
-    }
-
-    void write_label(std::size_t in_record, double value) noexcept {
-        std::memcpy(in_.record(in_record) + sizeof(std::uint32_t), &value, sizeof value);
+    struct InPlace {
+        Predecessors block;
+        std::uint32_t at;
+    };
+    [[nodiscard]] InPlace in_at(const Head* of_s, std::uint32_t slot) const noexcept {
+        if (slot < inner_size) return {bodies_.inner_in(of_s), slot};
+        return {bodies_.outer_in(of_s), slot - inner_size};
     }
 
-    /// Moves a full block into one of the next class.
-    void make_room(RecordSlab& slab, std::uint32_t& begin, std::uint32_t size, std::uint8_t& block, bool out) {
-        if (size < RecordSlab::capacity(block)) return;
-        const auto next = static_cast<std::uint8_t>(block == RecordSlab::no_block ? 0 : block + 1);
-        const std::uint32_t to = slab.allocate(next);
-        if (out && !weights_.empty() && weights_.size() < slab.extent()) weights_.resize(slab.extent(), 1.0);
-        if (size != 0) {
-            std::memcpy(slab.record(to), slab.record(begin), size * slab.stride());
-            if (out && !weights_.empty()) {
-                for (std::uint32_t i = 0; i < size; ++i) weights_[to + i] = weights_[begin + i];
-            }
+    [[gnu::noinline, nodiscard]] std::uint32_t find_outer(StateId s, StateId next) const noexcept {
+        const Head* of_s = head(s);
+        if (of_s->out_size > hub_degree) {
+            const auto found = hubs_.find(key(s, next));
+            return found == hubs_.end() ? none : found->second;
         }
-        if (block != RecordSlab::no_block) slab.release(begin, block);
-        begin = to;
-        block = next;
+        const Successors block = bodies_.outer_out(of_s);
+        for (std::uint32_t i = 0; i < of_s->out_size - inner_size; ++i) {
+            if (block.targets[i] == Successors::target(next)) return inner_size + i;
+        }
+        return none;
     }
 
-    /// (s, next) is about to become the out-record number out_size, at or past the degree from which a hash finds it.
+    void enlarge_out(Head* of_s) {
+        const std::uint32_t size = of_s->out_size - inner_size;
+        const std::uint32_t old = of_s->out_more;
+        bodies_.enlarge_out(of_s);
+        if (has_weights()) weights_.move(bodies_, old, of_s->out_more, size);
+    }
+
+    /// (s, next) is about to become the successor number out_size, at or past the degree from which a hash finds it.
     void index_hub(StateId s, StateId next) {
-        const Node& node = nodes_[index(s)];
-        if (node.out_size == hub_degree) {
-            for (std::uint32_t i = 0; i < node.out_size; ++i) hubs_[key(s, target(node.out_begin + i))] = i;
+        const std::uint32_t size = out_size(s);
+        if (size == hub_degree) {
+            for_each_edge(s, [&](const Edge& edge) { hubs_[key(s, edge.block.state(edge.at))] = edge.place; });
         }
-        hubs_[key(s, next)] = node.out_size;
+        hubs_[key(s, next)] = size;
     }
 
     void erase_in(StateId s, std::uint32_t slot) {
-        Node& node = nodes_[index(s)];
-        const std::uint32_t last = node.in_size - 1;
-        if (slot != last) {
-            std::byte* to = in_.record(std::size_t{node.in_begin} + slot);
-            std::memcpy(to, in_.record(std::size_t{node.in_begin} + last), in_bytes);
-            std::uint32_t from;
-            std::memcpy(&from, to, sizeof from);
-            const std::uint32_t moved = find(StateId{from}, s);
-            set_head(moved, {static_cast<std::uint32_t>(s), slot});
-        }
-        --node.in_size;
+        Head* of_s = head(s);
+        const std::uint32_t last_slot = of_s->in_size - 1;
+        of_s->in_size = last_slot;
+        if (slot == last_slot) return;
+        const auto [to, at] = in_at(of_s, slot);
+        const auto [from, last] = in_at(of_s, last_slot);
+        to.from[at] = from.from[last];
+        to.labels()[at] = from.labels()[last];
+        const StateId other{to.from[at]};
+        const Edge moved = edge(other, find(other, s));
+        moved.block.slots()[moved.at] = slot;
     }
 
-    std::vector<Node> nodes_;
-    RecordSlab out_;
-    RecordSlab in_;
-    std::vector<double> weights_;
+    Bodies bodies_;
+    EdgeWeights<Number> weights_;
     std::vector<StateId> dirty_;
     std::unordered_map<std::uint64_t, std::uint32_t> hubs_;
     std::size_t pairs_ = 0;
+    std::uint64_t erasures_ = 0;
 };
 
 }  // namespace sspql::detail

@@ -7,6 +7,7 @@ namespace sspql::detail {
 inline void prefetch([[maybe_unused]] const void* p) noexcept {
 #if defined(__GNUC__)
     __builtin_prefetch(p);
+    __asm__ volatile("");  // without it GCC drops calls of functions that do nothing but prefetch
 #endif
 }
 
