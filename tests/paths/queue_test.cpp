@@ -3,8 +3,6 @@
 #include <sspql/paths/queue.hpp>
 
 #include <cstdint>
-#include <set>
-#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -13,51 +11,15 @@
 #include <sspql/paths/dary_heap.hpp>
 #include <sspql/paths/fibonacci_heap.hpp>
 
+#include "paths/queue_pair.hpp"
+
 using sspql::DaryHeap;
 using sspql::FibonacciHeap;
 using sspql::OperationCounters;
 using sspql::Random;
+using sspql_test::Pair;
 
 namespace {
-
-/// A queue and a sorted set side by side.
-template <class Queue>
-class Pair {
-public:
-    explicit Pair(Queue& queue, std::size_t n) : queue_(queue), key_(n, -1.0) { queue_.prepare(n, 0.0, 0.0); }
-
-    [[nodiscard]] bool empty() const { return reference_.empty(); }
-    [[nodiscard]] bool queued(std::uint32_t v) const { return reference_.count({key_[v], v}) != 0; }
-    [[nodiscard]] double key(std::uint32_t v) const { return key_[v]; }
-    [[nodiscard]] double least() const { return reference_.begin()->first; }
-
-    void push(std::uint32_t v, double key) {
-        queue_.push(v, key);
-        key_[v] = key;
-        reference_.insert({key, v});
-    }
-    void decrease(std::uint32_t v, double key) {
-        queue_.decrease(v, key);
-        reference_.erase({key_[v], v});
-        key_[v] = key;
-        reference_.insert({key, v});
-    }
-    void pop() {
-        ASSERT_FALSE(queue_.empty());
-        const std::uint32_t v = queue_.pop();
-        ASSERT_LT(v, key_.size());
-        ASSERT_TRUE(queued(v)) << v << " is not in the queue";
-        ASSERT_EQ(key_[v], least()) << "not a least key";
-        reference_.erase({key_[v], v});
-        ASSERT_EQ(queue_.size(), reference_.size());
-        ASSERT_EQ(queue_.empty(), reference_.empty());
-    }
-
-private:
-    Queue& queue_;
-    std::vector<double> key_;
-    std::set<std::pair<double, std::uint32_t>> reference_;
-};
 
 /// Keys: reals, or few different ones, so that most are equal.
 double draw_key(Random& random, bool few) {

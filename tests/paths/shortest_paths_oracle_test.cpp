@@ -4,6 +4,7 @@
 #include <sspql/paths/boost_graph.hpp>
 #include <sspql/paths/shortest_paths.hpp>
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -15,8 +16,11 @@
 #include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <boost/property_map/property_map.hpp>
 
+#include <sspql/paths/auto_queue.hpp>
+#include <sspql/paths/bucket_queue.hpp>
 #include <sspql/paths/dary_heap.hpp>
 #include <sspql/paths/fibonacci_heap.hpp>
+#include <sspql/paths/ring_queue.hpp>
 
 #include "paths/random_graph.hpp"
 
@@ -79,6 +83,10 @@ struct Queues {
     sspql::DaryHeap<3> ternary;
     sspql::DaryHeap<4> quaternary;
     sspql::DaryHeap<8> octal;
+    sspql::BucketQueue<> buckets;
+    sspql::RingQueue<> ring;
+    sspql::RingQueue<sspql::DaryHeap<4>> ring_of_quaternary;
+    sspql::AutoQueue<> chosen;
 };
 
 void compare(const ReverseGraph& graph, const std::vector<Goal>& goals, Queues& queues, ShortestPathTree& tree) {
@@ -89,6 +97,10 @@ void compare(const ReverseGraph& graph, const std::vector<Goal>& goals, Queues& 
     expect_same_tree(graph, goals, distance, queues.ternary, tree);
     expect_same_tree(graph, goals, distance, queues.quaternary, tree);
     expect_same_tree(graph, goals, distance, queues.octal, tree);
+    expect_same_tree(graph, goals, distance, queues.buckets, tree);
+    expect_same_tree(graph, goals, distance, queues.ring, tree);
+    expect_same_tree(graph, goals, distance, queues.ring_of_quaternary, tree);
+    expect_same_tree(graph, goals, distance, queues.chosen, tree);
 }
 
 std::string name_of(const testing::TestParamInfo<Costs>& costs) {
@@ -130,5 +142,45 @@ TEST_P(ShortestPathsOracle, AgreesOnLargerGraphs) {
             compare(graph, sspql_test::random_goals(random, n, GetParam()), queues, tree);
             if (HasFailure()) return;
         }
+    }
+}
+
+// Offsets from far below the least cost to where they absorb every cost, so that goals come into reach one by one.
+TEST_P(ShortestPathsOracle, AgreesWithGoalsAnyDistanceApart) {
+    Queues queues;
+    ShortestPathTree tree;
+    for (const Shape shape : {Shape::sparse, Shape::chain, Shape::disconnected}) {
+        for (std::uint64_t seed = 2000; seed < 2060; ++seed) {
+            SCOPED_TRACE("shape " + std::to_string(static_cast<int>(shape)) + ", seed " + std::to_string(seed));
+            Random random(seed, static_cast<std::uint64_t>(shape));
+            const std::size_t n = 1 + random.below(40);
+            const auto graph = ReverseGraph::from_edges(n, sspql_test::random_edges(random, n, shape, GetParam()));
+            std::vector<Goal> goals;
+            for (std::size_t i = 0; i < n; ++i) {
+                const double offset = std::pow(10.0, random.uniform(-30.0, 30.0));
+                goals.push_back({sspql::state_id(random.below(n)), random.chance(0.2) ? std::floor(offset) : offset});
+            }
+            compare(graph, goals, queues, tree);
+            if (HasFailure()) return;
+        }
+    }
+}
+
+// Distances near 2^53 costs, where sums round and neighbouring keys are as far apart as buckets are wide.
+TEST_P(ShortestPathsOracle, AgreesWhereSumsRound) {
+    Queues queues;
+    ShortestPathTree tree;
+    for (std::uint64_t seed = 3000; seed < 3100; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const std::size_t n = 2 + random.below(30);
+        const auto graph = ReverseGraph::from_edges(n, sspql_test::random_edges(random, n, Shape::sparse, GetParam()));
+        std::vector<Goal> goals;
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double offset = std::ldexp(random.uniform(0.5, 1.0), 45 + static_cast<int>(random.below(12)));
+            goals.push_back({sspql::state_id(random.below(n)), graph.least_cost() * offset});
+        }
+        compare(graph, goals, queues, tree);
+        if (HasFailure()) return;
     }
 }

@@ -24,6 +24,12 @@ public:
         items_.reserve(n);
     }
 
+    /// Room to grow up to n vertices, all queued, without allocating; what is queued stays.
+    void reserve(std::size_t n) {
+        place_.reserve(n);
+        items_.reserve(n);
+    }
+
     /// Room for vertices 0 .. n-1; what is queued stays.
     void grow(std::size_t n) {
         if (place_.size() < n) place_.resize(n);

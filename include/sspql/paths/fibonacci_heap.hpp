@@ -66,6 +66,7 @@ public:
         Counters::count_pop();
         const std::uint32_t top = least_;
         const std::uint32_t vertex = nodes_[top].vertex;
+        Counters::count_children(nodes_[top].degree);
         consolidate(top);
         nodes_[top].right = free_;
         free_ = top;

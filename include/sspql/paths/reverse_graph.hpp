@@ -11,6 +11,7 @@
 #include <sspql/core/assert.hpp>
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/model/prefetch.hpp>
 #include <sspql/model/transition_counts.hpp>
 
 namespace sspql {
@@ -95,8 +96,18 @@ public:
 
     template <class F>
     void for_each_predecessor(StateId v, F&& f) const {
+        // Local pointers: what f writes might be these members, for all that a compiler knows.
+        const StateId* const predecessor = predecessor_.data();
+        const double* const cost = cost_.data();
         const std::uint32_t end = offset_[index(v) + 1];
-        for (std::uint32_t i = offset_[index(v)]; i < end; ++i) f(predecessor_[i], cost_[i]);
+        for (std::uint32_t i = offset_[index(v)]; i < end; ++i) f(predecessor[i], cost[i]);
+    }
+
+    /// Asks for the memory where the edges into v begin, and, once that is there, for the edges: soon to be read.
+    void prefetch_offset(StateId v) const noexcept { detail::prefetch(&offset_[index(v)]); }
+    void prefetch_edges(StateId v) const noexcept {
+        detail::prefetch(predecessor_.data() + offset_[index(v)]);
+        detail::prefetch(cost_.data() + offset_[index(v)]);
     }
 
     [[nodiscard]] double least_cost() const noexcept { return least_; }

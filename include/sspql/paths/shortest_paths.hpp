@@ -6,11 +6,14 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include <sspql/core/concepts.hpp>
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
-#include <sspql/paths/fibonacci_heap.hpp>
+#include <sspql/model/prefetch.hpp>
+#include <sspql/paths/auto_queue.hpp>
 #include <sspql/paths/queue.hpp>
 
 namespace sspql {
@@ -46,7 +49,7 @@ struct ShortestPathTree {
 
 /// How much one search did.
 struct SearchWork {
-    std::size_t states = 0;  ///< settled: those with a path
+    std::size_t states = 0;  ///< settled: those with a path, once each, or more often if a label was corrected
     std::size_t edges = 0;   ///< looked at
 };
 
@@ -58,8 +61,95 @@ inline void require_goals(const std::vector<Goal>& goals, std::size_t states) {
         if (index(goal.state) >= states) {
             throw_invalid("goal", "be below the number of states " + std::to_string(states), index(goal.state));
         }
+        if (goal.offset >= 0.0 && std::isfinite(goal.offset)) continue;  // no text, no allocation
         require_not_negative("offset of goal " + std::to_string(index(goal.state)), goal.offset);
     }
+}
+
+template <class Queue, class F>
+using Visit = decltype(std::declval<Queue&>().visit(std::declval<const F&>()));
+
+template <class Graph>
+using PrefetchEdges = decltype(std::declval<const Graph&>().prefetch_offset(StateId{}),
+                               std::declval<const Graph&>().prefetch_edges(StateId{}));
+
+/// f(the queue that an AutoQueue chose); f(queue) for all others.
+template <class Queue, class F>
+auto with_chosen(Queue& queue, const F& f) {
+    if constexpr (is_detected_v<Visit, Queue, F>) {
+        return queue.visit(f);
+    } else {
+        return f(queue);
+    }
+}
+
+template <class Queue>
+void push_goals(const std::vector<Goal>& goals, Queue& queue, ShortestPathTree& tree) {
+    for (const Goal& goal : goals) {
+        double& distance = tree.distance[index(goal.state)];
+        const auto vertex = static_cast<std::uint32_t>(goal.state);
+        if (distance == std::numeric_limits<double>::infinity()) {
+            distance = goal.offset;
+            queue.push(vertex, goal.offset);
+        } else if (goal.offset < distance) {
+            distance = goal.offset;
+            queue.decrease(vertex, goal.offset);
+        }
+    }
+}
+
+/// Below this many states a search runs within the caches, and asking for memory ahead costs more than it saves.
+inline constexpr std::size_t prefetch_from = 30000;
+
+/// Asks for the memory that the coming pops will read: where a state's edges begin, the edges, what they lead to. A
+/// search of a large graph waits for memory more than for anything else.
+template <class Graph, class Queue>
+void prefetch_ahead(const Graph& graph, const Queue& queue, const ShortestPathTree& tree) {
+    const std::uint32_t latest = queue.upcoming(8);
+    if (latest == no_vertex) return;
+    graph.prefetch_offset(StateId{latest});
+    graph.prefetch_edges(StateId{queue.upcoming(4)});
+    graph.for_each_predecessor(StateId{queue.upcoming(2)},
+                               [&](StateId u, double) { prefetch(&tree.distance[index(u)]); });
+}
+
+/// Dijkstra's search from what is queued.
+template <class Graph, class Queue>
+SearchWork settle_all(const Graph& graph, Queue& queue, ShortestPathTree& tree) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double* const distances = tree.distance.data();
+    StateId* const nexts = tree.next.data();
+    std::size_t states = 0;
+    std::size_t edges = 0;
+    [[maybe_unused]] const bool large = graph.size() >= prefetch_from;
+    while (!queue.empty()) {
+        if constexpr (is_detected_v<Upcoming, Queue> && is_detected_v<PrefetchEdges, Graph>) {
+            if (large) prefetch_ahead(graph, queue, tree);
+        }
+        const StateId v{queue.pop()};
+        const double here = distances[index(v)];
+        ++states;
+        graph.for_each_predecessor(v, [&](StateId u, double cost) {
+            ++edges;
+            const double through = here + cost;
+            double& distance = distances[index(u)];
+            StateId& next = nexts[index(u)];
+            if (!(through <= distance)) return;
+            if (through == distance) {
+                if (here < distance && next != no_state && v < next) next = v;  // here < distance: no cycle can close
+                return;
+            }
+            const bool known = distance != infinity;
+            distance = through;
+            next = v;
+            if (known) {
+                queue.decrease(static_cast<std::uint32_t>(u), through);
+            } else {
+                queue.push(static_cast<std::uint32_t>(u), through);
+            }
+        });
+    }
+    return {states, edges};
 }
 
 }  // namespace detail
@@ -72,62 +162,30 @@ inline void require_goals(const std::vector<Goal>& goals, std::size_t states) {
 /// free of cycles. A goal keeps next = no_state unless another goal is strictly nearer than its own offset. The same
 /// goal twice: the smaller offset counts. No goals: nothing reaches one.
 ///
-/// `tree` and `queue` are overwritten; reuse them to avoid allocation. O(m + n log n) with FibonacciHeap.
+/// `tree` and `queue` are overwritten; reuse them to avoid allocation. O(m + n log n) with FibonacciHeap, with
+/// RingQueue over it and with AutoQueue, for n states and m edges; see docs/complexity.md.
 /// \throws std::invalid_argument for a goal outside the graph or an offset that is not finite and >= 0; `tree` is
 /// untouched then.
 template <class Graph, class Queue>
 SearchWork shortest_paths_to(const Graph& graph, const std::vector<Goal>& goals, Queue& queue, ShortestPathTree& tree) {
     static_assert(is_queue_v<Queue>, "sspql: this Queue lacks one of prepare(n, least_cost, greatest_cost), "
                                      "push(vertex, key), decrease(vertex, key), pop() -> vertex, empty()");
-    constexpr double infinity = std::numeric_limits<double>::infinity();
     const std::size_t n = graph.size();
     detail::require_goals(goals, n);
-    tree.distance.assign(n, infinity);
+    tree.distance.assign(n, std::numeric_limits<double>::infinity());
     tree.next.assign(n, no_state);
     queue.prepare(n, graph.least_cost(), graph.greatest_cost());
-    for (const Goal& goal : goals) {
-        double& distance = tree.distance[index(goal.state)];
-        const auto vertex = static_cast<std::uint32_t>(goal.state);
-        if (distance == infinity) {
-            distance = goal.offset;
-            queue.push(vertex, goal.offset);
-        } else if (goal.offset < distance) {
-            distance = goal.offset;
-            queue.decrease(vertex, goal.offset);
-        }
-    }
-    SearchWork work;
-    while (!queue.empty()) {
-        const StateId v{queue.pop()};
-        const double here = tree.distance[index(v)];
-        ++work.states;
-        graph.for_each_predecessor(v, [&](StateId u, double cost) {
-            ++work.edges;
-            const double through = here + cost;
-            double& distance = tree.distance[index(u)];
-            StateId& next = tree.next[index(u)];
-            if (through < distance) {
-                const bool known = distance != infinity;
-                distance = through;
-                next = v;
-                if (known) {
-                    queue.decrease(static_cast<std::uint32_t>(u), through);
-                } else {
-                    queue.push(static_cast<std::uint32_t>(u), through);
-                }
-            } else if (through == distance && here < distance && next != no_state && v < next) {
-                next = v;  // here < distance: v settled strictly before u, so no cycle can close
-            }
-        });
-    }
-    return work;
+    return detail::with_chosen(queue, [&](auto& chosen) {
+        detail::push_goals(goals, chosen, tree);
+        return detail::settle_all(graph, chosen, tree);
+    });
 }
 
 /// The same with a queue of its own: `const auto tree = shortest_paths_to(graph, {{goal}});`
 template <class Graph>
 [[nodiscard]] ShortestPathTree shortest_paths_to(const Graph& graph, const std::vector<Goal>& goals) {
     ShortestPathTree tree;
-    FibonacciHeap<> queue;
+    AutoQueue<> queue;
     shortest_paths_to(graph, goals, queue, tree);
     return tree;
 }

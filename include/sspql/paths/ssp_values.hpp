@@ -24,12 +24,32 @@ public:
     /// none of those was seen to lead to next(s), the state has no value. O(n + sum of out-degrees).
     template <class Cell, class LegalActions>
     void assign(const TransitionCounts<Cell>& counts, const ShortestPathTree& tree, const LegalActions& legal) {
+        clear();
+        resize(tree.size());
+        for (std::size_t s = 0; s < tree.size(); ++s) update(counts, tree, state_id(s), legal);
+    }
+
+    /// Recomputes the values of one state, whose counts, next state or legal actions changed. O(out-degree).
+    template <class Cell, class LegalActions>
+    void update(const TransitionCounts<Cell>& counts, const ShortestPathTree& tree, StateId s,
+                const LegalActions& legal) {
         SSPQL_ASSERT(tree.size() <= counts.states(), "the tree is one of these counts");
-        action_.assign(tree.size(), no_action);
-        value_.assign(tree.size(), 0.0);
-        for (std::size_t s = 0; s < tree.size(); ++s) {
-            if (tree.next[s] != no_state) update(counts, state_id(s), tree.next[s], legal);
-        }
+        action_[index(s)] = no_action;
+        value_[index(s)] = 0.0;
+        if (tree.next[index(s)] != no_state) compute(counts, s, tree.next[index(s)], legal);
+    }
+
+    /// As many states as the tree has; new ones have no value.
+    void resize(std::size_t states) {
+        action_.resize(states, no_action);
+        value_.resize(states, 0.0);
+    }
+
+    [[nodiscard]] std::size_t size() const noexcept { return action_.size(); }
+
+    void swap(SspValues& other) noexcept {
+        action_.swap(other.action_);
+        value_.swap(other.value_);
     }
 
     /// Q_SSP(s,a). States added since the last assign have 0.
@@ -54,7 +74,7 @@ public:
 
 private:
     template <class Cell, class LegalActions>
-    void update(const TransitionCounts<Cell>& counts, StateId s, StateId next, const LegalActions& legal) {
+    void compute(const TransitionCounts<Cell>& counts, StateId s, StateId next, const LegalActions& legal) {
         const auto allowed = legal.allowed(s);
         ActionId best = no_action;
         double best_probability = 0.0;
@@ -71,7 +91,8 @@ private:
         });
         if (best == no_action) return;
         action_[index(s)] = best;
-        value_[index(s)] = std::exp(-entropy(counts, s, best));
+        // Of a sure outcome H is 0.
+        value_[index(s)] = best_probability == 1.0 ? 1.0 : std::exp(-entropy(counts, s, best));
     }
 
     std::vector<ActionId> action_;
