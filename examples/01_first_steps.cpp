@@ -21,10 +21,11 @@ int main() {
     Room room;
     sspql::UniformGrid<2> states({{{0, 8, 8}, {0, 8, 8}}});
     sspql::ActionTable<Cell> actions{{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
-    sspql::Agent robot(states, actions);
-    for (const auto& episode : sspql::run_episodes(room, robot, 15, 1)) std::cout << episode.steps << ' ';
-    sspql::Agent rival(states, actions, sspql::QLearningParams<>{});
-    std::cout << "steps with SSPQL\n";
-    for (const auto& episode : sspql::run_episodes(room, rival, 15, 1)) std::cout << episode.steps << ' ';
-    std::cout << "with Q-learning\n";
+    const auto learn = [&](auto robot, const char* name) {
+        for (const auto& episode : sspql::run_episodes(room, robot, 15, 1)) std::cout << episode.steps << ' ';
+        std::cout << name << '\n';
+    };
+    learn(sspql::Agent(states, actions), "the adaptive planner");
+    learn(sspql::Agent(states, actions, sspql::paper()), "SSPQL as published");
+    learn(sspql::Agent(states, actions, sspql::QLearningParams<>{}), "Q-learning");
 }

@@ -40,7 +40,7 @@ struct Building {
 
 int main() {
     const sspql::ProjectedState states(sspql::HashedState<Key, KeyHash>{}, [](const Scan& s) { return Key{s.floor, s.door}; });
-    sspql::Agent robot(states, sspql::EnumActions<Drive>(3), sspql::SspqlParams<>::with_bonus(), 7);
+    sspql::Agent robot(states, sspql::EnumActions<Drive>(3), sspql::AdaptiveParams<>{}, 7);
 
     const auto trip = [&robot](Scan goal) {
         Building building;
@@ -66,8 +66,8 @@ int main() {
     robot.abort();  // an emergency stop: the episode is dropped, what was learnt stays
 
     const auto terms = robot.terms(Scan{1, 0}, sspql::ActionId{2});
-    std::cout << "on floor 1 at the lift: Q " << terms.q << ", shortest path " << terms.ssp << ", unknown "
-              << terms.exploration << " after " << terms.n << " tries\n";
+    std::cout << "taking the lift up on floor 1: worth " << terms.q << ", curiosity " << terms.exploration << " after "
+              << terms.n << " tries\n";
 
     robot.set_goals<Scan>({{2, 4}});
     for (int episode = 0; episode < 3; ++episode) std::cout << trip({2, 4}) << ' ';

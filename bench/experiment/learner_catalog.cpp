@@ -28,6 +28,12 @@ void with_model_bonus(Settings& s) {
     s.eta = 1.0;
 }
 
+void adaptive(Settings& s) {
+    s.gamma = 0.99;
+    s.bonus = 0.1;
+    s.cap = 50.0;
+}
+
 const Preset presets[] = {
     {"q", Kind::q_learning, plain},
     {"q-bonus", Kind::q_learning, with_bonus},
@@ -52,6 +58,8 @@ const Preset presets[] = {
     {"sspql", Kind::sspql, plain},
     {"sspql-bonus", Kind::sspql, with_bonus},
     {"sspql-constant", Kind::sspql, [](Settings& s) { s.decay = 0.0; }},
+    {"paper", Kind::sspql, with_bonus},
+    {"adaptive", Kind::adaptive, adaptive},
 };
 
 bool keeps_model(Kind kind) {
@@ -61,8 +69,9 @@ bool plans(Kind kind) {
     return kind == Kind::dyna_q || kind == Kind::dyna_q_plus || kind == Kind::prioritized_sweeping;
 }
 bool always(Kind) { return true; }
+bool selects(Kind kind) { return kind != Kind::adaptive; }
 bool updates_by_rate(Kind kind) {
-    return kind != Kind::prioritized_sweeping && kind != Kind::rtdp && kind != Kind::r_max;
+    return kind != Kind::prioritized_sweeping && kind != Kind::rtdp && kind != Kind::r_max && kind != Kind::adaptive;
 }
 template <Kind K>
 bool only(Kind kind) {
@@ -79,13 +88,13 @@ const NumberKey number_keys[] = {
     {"gamma", &Settings::gamma, always},
     {"alpha", &Settings::alpha, updates_by_rate},
     {"alpha_decay", &Settings::alpha_decay, updates_by_rate},
-    {"initial_q", &Settings::initial_q, always},
+    {"initial_q", &Settings::initial_q, selects},
     {"bonus", &Settings::bonus, always},
-    {"eta", &Settings::eta, always},
-    {"noise", &Settings::noise, always},
-    {"epsilon", &Settings::epsilon, always},
-    {"temperature", &Settings::temperature, always},
-    {"cap", &Settings::cap, keeps_model},
+    {"eta", &Settings::eta, selects},
+    {"noise", &Settings::noise, selects},
+    {"epsilon", &Settings::epsilon, selects},
+    {"temperature", &Settings::temperature, selects},
+    {"cap", &Settings::cap, [](Kind kind) { return keeps_model(kind) || kind == Kind::adaptive; }},
     {"kappa", &Settings::kappa, keeps_model},
     {"unknown_value", &Settings::unknown_value, keeps_model},
     {"k", &Settings::k, plans},
@@ -97,6 +106,12 @@ const NumberKey number_keys[] = {
     {"w_ssp", &Settings::w_ssp, only<Kind::sspql>},
     {"decay", &Settings::decay, only<Kind::sspql>},
     {"lambda", &Settings::lambda, only<Kind::sspql>},
+    {"budget", &Settings::budget, only<Kind::adaptive>},
+    {"kappa_noise", &Settings::kappa_noise, only<Kind::adaptive>},
+    {"tau", &Settings::tau, only<Kind::adaptive>},
+    {"retrace", &Settings::retrace, only<Kind::adaptive>},
+    {"alarm", &Settings::alarm, only<Kind::adaptive>},
+    {"alarm_offset", &Settings::alarm_offset, only<Kind::adaptive>},
 };
 
 struct WordKey {
@@ -107,10 +122,11 @@ struct WordKey {
 };
 
 const WordKey word_keys[] = {
-    {"selector", &Settings::selector, always, "noise,epsilon-greedy,boltzmann"},
+    {"selector", &Settings::selector, selects, "noise,epsilon-greedy,boltzmann"},
     {"replay", &Settings::replay, only<Kind::dyna_q>, "counts,last"},
     {"cost", &Settings::cost, only<Kind::sspql>, "risk,tries,log-risk,hops"},
     {"probability", &Settings::probability, only<Kind::sspql>, "sum,best"},
+    {"paths", &Settings::paths, only<Kind::adaptive>, "on,off"},
 };
 
 std::string joined(const std::vector<std::string>& words) {

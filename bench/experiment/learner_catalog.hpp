@@ -16,7 +16,7 @@
 namespace sspql::experiment {
 
 /// Which learner a name stands for.
-enum class LearnerKind { q_learning, sarsa, dyna_q, dyna_q_plus, prioritized_sweeping, rtdp, r_max, sspql };
+enum class LearnerKind { q_learning, sarsa, dyna_q, dyna_q_plus, prioritized_sweeping, rtdp, r_max, sspql, adaptive };
 
 /// Every parameter a learner can be given.
 struct LearnerSettings {
@@ -45,6 +45,15 @@ struct LearnerSettings {
     double lambda = 2.0;
     std::string cost = "risk";        ///< risk (eq. 2), tries, log-risk, hops
     std::string probability = "sum";  ///< sum (eq. 3), best
+
+    // Of adaptive; where a key is shared with others, its preset says what the learner's default is.
+    double budget = 40.0;        ///< edge touches a step
+    double kappa_noise = 0.4;    ///< pseudo-count by noise
+    double tau = 0.0;            ///< > 0: doubt what was not tried lately
+    double retrace = 0.1;        ///< how little the way back attracts before a goal is known
+    double alarm = 2.0;          ///< the change detector's floor
+    double alarm_offset = 3.5;   ///< ... and what is taken off ln(pairs)
+    std::string paths = "on";    ///< the shortest path bounds optimism: on, off
 
     std::string replay = "counts";    ///< of dyna-q: counts, last
     bool expected = false;            ///< of sarsa

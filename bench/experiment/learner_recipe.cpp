@@ -2,10 +2,12 @@
 //
 // Recipes into learners: the only file that instantiates them all.
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
 
+#include <sspql/learn/adaptive_sspql.hpp>
 #include <sspql/learn/dyna_q.hpp>
 #include <sspql/learn/dyna_q_plus.hpp>
 #include <sspql/learn/prioritized_sweeping.hpp>
@@ -115,6 +117,22 @@ SspqlParams<AnySspqlPolicies> params_of(const Settings& s, Sspql<AnySspqlPolicie
     return params;
 }
 
+AdaptiveParams<> params_of(const Settings& s, AdaptiveSspql<>*) {
+    AdaptiveParams<> params;
+    params.gamma = s.gamma;
+    const std::size_t budget = whole("budget", s.budget);
+    params.budget = StepBudget(budget, std::max<std::uint64_t>(budget, params.budget.bank()));
+    params.bonus = s.bonus;
+    params.retrace = s.retrace;
+    params.bound_by_paths = s.paths == "on";
+    params.trust.cap = s.cap;
+    params.trust.kappa_noise = s.kappa_noise;
+    params.trust.tau = s.tau;
+    params.change.threshold = s.alarm;
+    params.change.log_offset = s.alarm_offset;
+    return params;
+}
+
 template <class Learner>
 std::unique_ptr<AnyLearner> boxed(const Settings& settings, std::size_t states, std::size_t actions,
                                   std::uint64_t seed) {
@@ -134,6 +152,7 @@ std::unique_ptr<AnyLearner> LearnerRecipe::make(std::size_t states, std::size_t 
             return boxed<PrioritizedSweeping<AnyModelPolicies>>(settings_, states, actions, seed);
         case LearnerKind::rtdp: return boxed<Rtdp<AnyModelPolicies>>(settings_, states, actions, seed);
         case LearnerKind::r_max: return boxed<RMax<AnyModelPolicies>>(settings_, states, actions, seed);
+        case LearnerKind::adaptive: return boxed<AdaptiveSspql<>>(settings_, states, actions, seed);
         case LearnerKind::sspql: break;
     }
     return boxed<Sspql<AnySspqlPolicies>>(settings_, states, actions, seed);

@@ -12,6 +12,7 @@
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/core/random.hpp>
+#include <sspql/core/step_budget.hpp>
 #include <sspql/core/version.hpp>
 
 // spaces: observations to states, actions to commands
@@ -31,21 +32,32 @@
 #include <sspql/model/transition_counts.hpp>
 
 // paths: expected costs, the graph, queues, shortest paths
+#include <sspql/paths/auto_queue.hpp>
+#include <sspql/paths/bucket_queue.hpp>
 #include <sspql/paths/cost.hpp>
 #include <sspql/paths/cost_publisher.hpp>
 #include <sspql/paths/dary_heap.hpp>
 #include <sspql/paths/fibonacci_heap.hpp>
+#include <sspql/paths/path_solver.hpp>
+#include <sspql/paths/published_changes.hpp>
 #include <sspql/paths/queue.hpp>
+#include <sspql/paths/resumable_search.hpp>
 #include <sspql/paths/reverse_graph.hpp>
+#include <sspql/paths/ring_queue.hpp>
 #include <sspql/paths/shortest_paths.hpp>
+#include <sspql/paths/ssp_planner.hpp>
 #include <sspql/paths/ssp_values.hpp>
+#include <sspql/paths/tree_repair.hpp>
 
 // learn: values, selectors, learners, the agent
 #include <sspql/learn/action_selector.hpp>
+#include <sspql/learn/adaptive_params.hpp>
+#include <sspql/learn/adaptive_sspql.hpp>
 #include <sspql/learn/agent.hpp>
 #include <sspql/learn/dyna_q.hpp>
 #include <sspql/learn/dyna_q_plus.hpp>
 #include <sspql/learn/exploration_bonus.hpp>
+#include <sspql/learn/greedy.hpp>
 #include <sspql/learn/learner.hpp>
 #include <sspql/learn/prioritized_sweeping.hpp>
 #include <sspql/learn/q_learning.hpp>
@@ -64,6 +76,7 @@
 #include <sspql/env/grid_maps.hpp>
 #include <sspql/env/grid_world.hpp>
 #include <sspql/env/random_mdp.hpp>
+#include <sspql/env/random_walls.hpp>
 #include <sspql/env/table_csv.hpp>
 #include <sspql/env/tabular_environment.hpp>
 #include <sspql/env/time_limit.hpp>

@@ -94,7 +94,9 @@ TEST(Agent, SaysWhatItsLearnerSays) {
 
 TEST(Agent, IsMadeInEveryWay) {
     const Agent defaults(floor_states(), drives());
-    static_assert(std::is_same_v<decltype(defaults.learner()), const Sspql<>&>);
+    static_assert(std::is_same_v<decltype(defaults.learner()), const AdaptiveSspql<>&>);
+    const Agent published(floor_states(), drives(), paper());
+    static_assert(std::is_same_v<decltype(published.learner()), const Sspql<>&>);
     const Agent with_params(floor_states(), drives(), SspqlParams<>::ssp_only());
     EXPECT_EQ(with_params.learner().params().w_q, 0.0);
     const Agent rival(floor_states(), drives(), QLearningParams<>{});
@@ -102,7 +104,7 @@ TEST(Agent, IsMadeInEveryWay) {
     const Agent seeded(floor_states(), drives(), QLearningParams<>{}, 7);
     static_assert(std::is_same_v<decltype(seeded.learner()), const QLearning<>&>);
     Agent by_braces(floor_states(), drives(), {}, 7);
-    static_assert(std::is_same_v<decltype(by_braces), Agent<decltype(floor_states()), ActionTable<Drive>, Sspql<>>>);
+    static_assert(std::is_same_v<decltype(by_braces), Agent<decltype(floor_states()), ActionTable<Drive>, AdaptiveSspql<>>>);
     Agent<EnumState<int>, ActionTable<char>, QLearning<>> named(EnumState<int>(3), {'l', 'r'});
     EXPECT_EQ(named.actions().size(), 2u);
     EXPECT_EQ(named.states().size(), 3u);

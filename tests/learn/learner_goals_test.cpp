@@ -131,7 +131,11 @@ TYPED_TEST(LearnerGoals, BadGoalsAreRefusedAndChangeNothing) {
     EXPECT_EQ(fingerprint(learner), before);
 }
 
-TYPED_TEST(LearnerGoals, OtherGoalsResetValuesAndVisits) {
+template <class L>
+class ValueLearnerGoals : public ::testing::Test {};
+TYPED_TEST_SUITE(ValueLearnerGoals, ValueLearners, LearnerNames);
+
+TYPED_TEST(ValueLearnerGoals, OtherGoalsResetValuesAndVisits) {
     TypeParam learner(Room::states, Room::actions, {}, 9);
     Room room(9);
     for (int k = 0; k < 5; ++k) (void)walk(learner, room, Room::at(0, 0), Room::at(4, 4));

@@ -51,7 +51,11 @@ TYPED_TEST(LearnerMasks, IllegalActionsAreNeverChosen) {
     }
 }
 
-TYPED_TEST(LearnerMasks, BackupsMaximiseOverLegalActionsOnly) {
+template <class L>
+class ValueLearnerMasks : public ::testing::Test {};
+TYPED_TEST_SUITE(ValueLearnerMasks, ValueLearners, LearnerNames);
+
+TYPED_TEST(ValueLearnerMasks, BackupsMaximiseOverLegalActionsOnly) {
     TypeParam learner(4, 2, {}, 1);
     for (int k = 0; k < 20; ++k) {
         learner.observe(state_id(1), action_id(0), 10.0, state_id(2), true);

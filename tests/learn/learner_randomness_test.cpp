@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <sspql/learn/learner.hpp>
 
+#include <algorithm>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "learn/learner_testing.hpp"
@@ -72,23 +74,25 @@ TYPED_TEST(LearnerRandomness, BestIsDeterministicAndLearnsNothing) {
     for (std::size_t s = 0; s < Room::states; ++s) {
         const ActionId best = learner.best(state_id(s));
         for (int k = 0; k < 20; ++k) EXPECT_EQ(learner.best(state_id(s)), best);
-        double most = -infinity;
-        for (std::size_t a = Room::actions; a-- > 0;) {
+        const auto worth = [&](std::size_t a) {
             const auto terms = learner.terms(state_id(s), action_id(a));
-            if (terms.q + terms.ssp >= most) most = terms.q + terms.ssp;
-        }
-        const auto terms = learner.terms(state_id(s), best);
-        EXPECT_EQ(terms.q + terms.ssp, most) << "no bonus, no noise";
-        for (std::size_t a = 0; a < index(best); ++a) {
-            const auto lower = learner.terms(state_id(s), action_id(a));
-            EXPECT_LT(lower.q + lower.ssp, most) << "the least id on ties";
-        }
+            const bool hope = std::is_same_v<TypeParam, AdaptiveSspql<>> && terms.n == 0.0;
+            return hope ? -1e300 : terms.q + terms.ssp;  // what was never tried is not the best known
+        };
+        double most = -infinity;
+        for (std::size_t a = 0; a < Room::actions; ++a) most = std::max(most, worth(a));
+        EXPECT_EQ(worth(index(best)), most) << "no bonus, no noise";
+        for (std::size_t a = 0; a < index(best); ++a) EXPECT_LT(worth(a), most) << "the least id on ties";
     }
     EXPECT_EQ(fingerprint(learner), before);
     EXPECT_EQ(life(learner, 3), life(twin, 3)) << "best() draws no random number";
 }
 
-TYPED_TEST(LearnerRandomness, TermsOfAFreshLearner) {
+template <class L>
+class ValueLearnerRandomness : public ::testing::Test {};
+TYPED_TEST_SUITE(ValueLearnerRandomness, ValueLearners, LearnerNames);
+
+TYPED_TEST(ValueLearnerRandomness, TermsOfAFreshLearner) {
     typename TypeParam::Params params;
     params.initial_q = 0.5;
     params.w_exp = 0.1;

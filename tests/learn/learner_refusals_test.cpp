@@ -122,7 +122,11 @@ TYPED_TEST(LearnerRefusals, TextsNameWhatIsWrong) {
     EXPECT_EQ(text([&] { learner.end(0.0, state_id(0), true); }), "end() before begin()");
 }
 
-TYPED_TEST(LearnerRefusals, ParametersOutOfRange) {
+template <class L>
+class ValueLearnerRefusals : public ::testing::Test {};
+TYPED_TEST_SUITE(ValueLearnerRefusals, ValueLearners, LearnerNames);
+
+TYPED_TEST(ValueLearnerRefusals, ParametersOutOfRange) {
     using L = TypeParam;
     EXPECT_TRUE(accepts<L>([](auto& p) { p.gamma = 0.999; }));
     EXPECT_TRUE(accepts<L>([](auto& p) { p.alpha = VisitDecay{0.5}; }));

@@ -98,7 +98,11 @@ TYPED_TEST(LearnerStates, GrowingAndFixedLearnersActAlike) {
     EXPECT_EQ(fingerprint(fixed), fingerprint(growing));
 }
 
-TYPED_TEST(LearnerStates, OneStateAndOneActionAreEnough) {
+template <class L>
+class ValueLearnerStates : public ::testing::Test {};
+TYPED_TEST_SUITE(ValueLearnerStates, ValueLearners, LearnerNames);
+
+TYPED_TEST(ValueLearnerStates, OneStateAndOneActionAreEnough) {
     TypeParam learner(1, 1, {}, 1);
     for (int k = 0; k < 100; ++k) {
         EXPECT_EQ(learner.begin(state_id(0)), action_id(0));

@@ -12,6 +12,7 @@
 
 #include <sspql/core/ids.hpp>
 #include <sspql/core/random.hpp>
+#include <sspql/learn/adaptive_sspql.hpp>
 #include <sspql/learn/dyna_q.hpp>
 #include <sspql/learn/dyna_q_plus.hpp>
 #include <sspql/learn/prioritized_sweeping.hpp>
@@ -28,7 +29,11 @@
 namespace sspql::testing {
 
 /// The interface is one: what is said of Learner holds for all of these.
-using AllLearners =
+using AllLearners = ::testing::Types<QLearning<>, Sspql<>, Sarsa<>, DynaQ<>, DynaQPlus<>, PrioritizedSweeping<>, Rtdp<>,
+                                     RMax<>, AdaptiveSspql<>>;
+
+/// Those with the parameters of ValueParams, gamma 0.8 and initial_q 0 among them.
+using ValueLearners =
     ::testing::Types<QLearning<>, Sspql<>, Sarsa<>, DynaQ<>, DynaQPlus<>, PrioritizedSweeping<>, Rtdp<>, RMax<>>;
 
 /// Those that update Q by eq. 1 alone.
@@ -44,7 +49,8 @@ struct LearnerNames {
         if (std::is_same_v<L, DynaQPlus<>>) return "DynaQPlus";
         if (std::is_same_v<L, PrioritizedSweeping<>>) return "PrioritizedSweeping";
         if (std::is_same_v<L, Rtdp<>>) return "Rtdp";
-        return "RMax";
+        if (std::is_same_v<L, RMax<>>) return "RMax";
+        return "AdaptiveSspql";
     }
 };
 

@@ -2,16 +2,21 @@
 #pragma once
 
 #include <array>
+#include <charconv>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
+#include <utility>
 #include <vector>
 
 #include <sspql/core/errors.hpp>
 #include <sspql/env/changing_grid_world.hpp>
 #include <sspql/env/grid_map.hpp>
 #include <sspql/env/grid_world.hpp>
+#include <sspql/env/random_walls.hpp>
 
 /// \file
 /// Grid worlds by name:
@@ -22,6 +27,9 @@
 ///                                                open64, soft54, soft47 and open64, nest54, nest47
 ///     dyna-maze  blocking-maze  shortcut-maze    Sutton and Barto (2018), Fig. 8.2 and examples 8.2 and 8.3
 ///     cliff                                      the same, example 6.6: -1 a step, -100 and back to the start below
+///     walls60  walls60:2 ...                     60 x 60 (or 4 to 300) cells, a fifth of them walls at random, goal in a
+///                                                corner, random start, slip 0.1; the number behind the colon chooses
+///                                                another map (default 1)
 
 namespace sspql {
 
@@ -145,6 +153,24 @@ inline constexpr std::array<GridMapText, 9> grid_map_texts{{
      "", 0, 0},
 }};
 
+/// The size and the number in "walls60:2", if it is such a name.
+inline std::optional<std::pair<std::size_t, std::uint64_t>> walls_name(std::string_view name) {
+    constexpr std::string_view prefix = "walls";
+    if (name.substr(0, prefix.size()) != prefix) return std::nullopt;
+    const char* at = name.data() + prefix.size();
+    const char* end = name.data() + name.size();
+    std::size_t size = 0;
+    std::uint64_t number = 1;
+    auto read = std::from_chars(at, end, size);
+    if (read.ec != std::errc{} || size < 4 || size > 300) return std::nullopt;
+    if (read.ptr != end) {
+        if (*read.ptr != ':') return std::nullopt;
+        read = std::from_chars(read.ptr + 1, end, number);
+        if (read.ec != std::errc{} || read.ptr != end) return std::nullopt;
+    }
+    return std::make_pair(size, number);
+}
+
 /// The settings a map is known with: slip 0.1 for ours, none for the book's; costs for the cliff.
 inline GridWorldParams known_params(std::string_view name, bool has_start) {
     GridWorldParams params;
@@ -175,6 +201,10 @@ inline GridWorldParams known_params(std::string_view name, bool has_start) {
         }
         return task;
     }
+    if (const auto walls = detail::walls_name(name)) {
+        return GridTask{std::string(name), random_walls(walls->first, 0.2, walls->second), {}, 0,
+                        detail::known_params(name, false)};
+    }
     return std::nullopt;
 }
 
@@ -184,7 +214,7 @@ inline GridWorldParams known_params(std::string_view name, bool has_start) {
     if (task) return *std::move(task);
     std::string known;
     for (const std::string& other : grid_task_names()) known += (known.empty() ? "" : ", ") + other;
-    throw_invalid("map", "be one of " + known, std::string(name));
+    throw_invalid("map", "be one of " + known + ", or walls60 and the like", std::string(name));
 }
 
 }  // namespace sspql

@@ -47,16 +47,19 @@ using ExpectationExpression =
 /// The allowed action of the largest score, the least id on ties; no_action if none is allowed.
 template <class Allowed, class Score>
 [[nodiscard]] ActionId argmax(std::size_t actions, const Allowed& allowed, const Score& score) {
-    ActionId best = no_action;
-    double best_score = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < actions; ++i) {
+    std::size_t i = 0;
+    while (i < actions && !allowed.contains(action_id(i))) ++i;
+    if (i == actions) return no_action;
+    ActionId best = action_id(i);
+    double best_score = score(best);
+    for (++i; i < actions; ++i) {
         const ActionId a = action_id(i);
         if (!allowed.contains(a)) continue;
         const double value = score(a);
-        if (best == no_action || value > best_score) {
-            best = a;
-            best_score = value;
-        }
+        // Selections, not jumps: with noise in the scores nobody can predict which is the best.
+        const bool better = value > best_score;
+        best = better ? a : best;
+        best_score = better ? value : best_score;
     }
     return best;
 }
@@ -82,10 +85,13 @@ public:
     template <class Allowed, class Score>
     [[nodiscard]] ActionId operator()(std::size_t actions, const Allowed& allowed, const Score& score,
                                       Random& random) const {
-        return detail::argmax(actions, allowed, [&](ActionId a) {
+        Random draws = random;  // a copy can stay in registers
+        const ActionId chosen = detail::argmax(actions, allowed, [&](ActionId a) {
             const double value = score(a);
-            return value + noise_ * random.uniform();
+            return value + noise_ * draws.uniform();
         });
+        random = draws;
+        return chosen;
     }
 
     /// The chance that a wins is the integral over its own noise of the product, over the others, of the chance that

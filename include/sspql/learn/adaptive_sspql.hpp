@@ -5,384 +5,396 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/core/step_budget.hpp>
+#include <sspql/learn/adaptive/goal_distances.hpp>
+#include <sspql/learn/adaptive/optimism_scale.hpp>
+#include <sspql/learn/adaptive/optimistic_planner.hpp>
+#include <sspql/learn/adaptive/retrace.hpp>
 #include <sspql/learn/adaptive_params.hpp>
-#include <sspql/learn/backup_queue.hpp>
-#include <sspql/learn/change_detector.hpp>
-#include <sspql/learn/goal_distances.hpp>
-#include <sspql/learn/optimism_scale.hpp>
-#include <sspql/learn/q_table.hpp>
-#include <sspql/learn/taught_learner.hpp>
 #include <sspql/learn/transition.hpp>
-#include <sspql/model/cells.hpp>
-#include <sspql/model/transition_counts.hpp>
 
 namespace sspql {
 
-/// What an AdaptiveSspql is about, for reports.
+/// What an AdaptiveSspql has come to believe, for reports.
 struct AdaptiveStatus {
+    std::uint64_t steps = 0;
     std::size_t states_known = 0;    ///< seen at least once
     std::size_t pairs_tried = 0;     ///< (s,a) tried at least once
-    std::uint64_t edge_touches = 0;  ///< all planning and recording so far
-    std::uint64_t steps = 0;
-    std::uint64_t alarms = 0;        ///< changes noticed
-    double optimism = 0.0;           ///< c, in steps
-    double kappa = 0.0;              ///< the pseudo-count
-    double noise = 0.0;              ///< how often outcomes are not the usual one
-    double typical_cost = 0.0;       ///< median cost of the last episodes, in steps
+    std::uint64_t edge_touches = 0;  ///< of all work so far
+    std::uint64_t alarms = 0;        ///< changes of the world noticed
     bool goal_known = false;
+    double typical_cost = 0.0;  ///< median cost of the last episodes that reached a goal, in steps
+    double optimism = 0.0;      ///< c: how far off the goal is believed to be behind what was not tried, in steps
+    double noise = 0.0;         ///< how often an outcome is not what the counts lead to expect
+    double kappa = 0.0;         ///< the optimistic pseudo-count of every (s,a)
 };
 
+/// The adaptive planner, the recommended learner: one set of parameters for every task.
+///
+/// It counts what actions lead to, plans expected values on these counts with every step (prioritized, within a budget),
+/// is optimistic about what it has not tried in proportion to what reaching the goal has cost so far, bounded by the
+/// shortest path known (Dijkstra's search over weight / P, as SSPQL's), and notices for each (s,a) by itself when the
+/// world has changed. docs/adaptive.md explains it in pictures.
+///
+/// Interface, errors and threads: Learner. Rewards: goals pay or steps cost, see OptimismScale; hazards, step costs,
+/// episodes cut by a time limit and a growing number of states are all fine. Told goals (set_goals) are planned for at
+/// once; what they are worth follows from their offsets, in steps, and rewards for ending elsewhere count no more, unless
+/// they are negative. Steps told by observe() count into the running episode's cost.
+/// LegalActions of your own are read when a state is visited.
+/// A step is O(|A| x outcomes + budget x log n), at most `budget.bank()` + `slice` edge touches and one state's edges more,
+/// however many states there are; work that comes due all at once (the first goal, told goals, new paths) is spread over
+/// the steps that follow. After reserve() nothing is allocated, except for masks, hints, the first weight other than 1, and
+/// beyond what TransitionCounts reserves.
 template <class Policies = AdaptivePolicies>
-class AdaptiveSspql
-    : public TaughtLearner<AdaptiveSspql<Policies>, Policies, AdaptiveParams<Policies>> {
-    using Base = TaughtLearner<AdaptiveSspql, Policies, AdaptiveParams<Policies>>;
+class AdaptiveSspql : public OptimisticPlanner<AdaptiveSspql<Policies>, Policies, AdaptiveParams<Policies>> {
+    using Base = OptimisticPlanner<AdaptiveSspql, Policies, AdaptiveParams<Policies>>;
+    friend Base;
     friend Learner<AdaptiveSspql, typename Policies::LegalActions>;
 
 public:
     using Params = AdaptiveParams<Policies>;
-    using Counts = TransitionCounts<FadingCell>;
 
+    /// \throws std::invalid_argument for no states or actions, more than 65535 actions, or parameters out of range.
     AdaptiveSspql(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
-        : Base(states, actions, std::move(params), seed),
-          counts_(states.initial(), actions),
-          q_(states.initial(), actions),
-          scale_((this->params_.validate(), this->params_.gamma), this->params_.optimism),
-          detector_(states.initial(), actions, this->params_.change),
+        : Base(states, actions, checked(std::move(params), actions), seed),
+          scale_(this->params_.gamma, this->params_.optimism),
           distances_(states.initial()),
-          queue_(states.initial(), actions),
-          budget_(this->params_.budget),
-          kappa_(this->params_.kappa_least) {
-        add_tables(states.initial());
+          retrace_(states.initial(), actions),
+          leads_out_(states.initial(), 0) {
+        this->scale_step_ = scale_.step_value();
     }
 
+    /// Room for `states` states and `pairs` distinct (s,s') in all (0: five a state).
     void reserve(std::size_t states, std::size_t pairs = 0) {
-        Base::reserve_visits(states);
-        q_.reserve(states);
-        counts_.reserve(states, pairs == 0 ? 5 * states : pairs);
-        detector_.reserve(states);
+        Base::reserve_tables(states, pairs == 0 ? 5 * states : pairs);
         distances_.reserve(states);
-        value_.reserve(states);
-        best_.reserve(states);
-        here_.reserve(states);
-        ahead_.reserve(states);
-        tried_.reserve(states);
-        open_.reserve(states);
-        seen_.reserve(states);
+        retrace_.reserve(states);
         leads_out_.reserve(states);
+        order_.reserve(states);
+        exits_.reserve(states);
+        seeds_.reserve(states);
     }
 
+    /// Why: Q(s,a), or what is hoped of an action never tried; the bonus for seldom tried ones; a trainer's hint. The
+    /// shortest path enters as a bound on hope, not as a term. \throws std::invalid_argument for ids outside.
     [[nodiscard]] ActionTerms terms(StateId s, ActionId a) const {
         Base::require_known(s, a);
-        const double q = counts_.n(s, a) > 0.0 ? q_(s, a) : here(s);
-        return {q, 0.0, bonus_factor(s) / (counts_.n(s, a) + 1.0), Base::hint_term(s, a), counts_.n(s, a)};
+        const double n = this->model_.counts().n(s, a);
+        return {n > 0.0 ? this->q_(s, a) : untried_worth(s, a, this->at(s).here), 0.0, bonus_of(s) / (n + 1.0),
+                Base::hint_term(s, a), n};
     }
-
-    [[nodiscard]] const QTable& q() const noexcept { return q_; }
-    [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
-    [[nodiscard]] const OptimismScale& scale() const noexcept { return scale_; }
-    [[nodiscard]] double state_value(StateId s) const noexcept { return seen_[index(s)] ? value_[index(s)] : 1.0; }
-    [[nodiscard]] double path_length(StateId s) const { return distances_.distance(s); }
-    [[nodiscard]] std::uint64_t model_operations() const noexcept { return operations_; }
 
     [[nodiscard]] AdaptiveStatus status() const noexcept {
-        return {order_.size(), pairs_tried_, operations_, steps_, detector_.alarms(), scale_.optimism(), kappa_, noise_,
-                scale_.typical_cost(), scale_.goal_known()};
+        return {this->model_.steps(), order_.size(), this->model_.pairs_tried(), this->operations_,
+                this->model_.detector().alarms(), scale_.goal_known(), scale_.typical_cost(), scale_.optimism(),
+                this->model_.noise(), this->model_.kappa()};
     }
 
-private:
-    static constexpr double never = -std::numeric_limits<double>::infinity();
+    /// V(s): what s is believed to be worth. \throws std::invalid_argument for a state outside.
+    [[nodiscard]] double state_value(StateId s) const {
+        Base::require_known(s);
+        return this->at(s).seen ? this->at(s).value : scale_.level(GoalDistances::unknown).here;
+    }
 
-    void add_tables(std::size_t n) {
-        value_.resize(n, 1.0);
-        best_.resize(n, never);
-        here_.resize(n, 1.0);
-        ahead_.resize(n, 1.0);
-        tried_.resize(n, 0);
-        open_.resize(n, 0);
-        seen_.resize(n, 0);
-        leads_out_.resize(n, 0);
+    /// The length of the shortest known path from s to a goal, in expected steps, as of the last search; infinite where
+    /// none is known. \throws std::invalid_argument for a state outside.
+    [[nodiscard]] double path_length(StateId s) const {
+        Base::require_known(s);
+        return distances_.distance(s);
+    }
+
+    /// The scale between values and steps.
+    [[nodiscard]] const OptimismScale& scale() const noexcept { return scale_; }
+
+private:
+    /// What is being done, a slice a call: new paths are searched, levels of optimism set by them; at the first goal all
+    /// values start anew from the levels and are queued for a backup, which works like a search from the goal.
+    enum class Chore { none, relabel, search, levels, restart, enqueue };
+
+    static Params checked(Params params, std::size_t actions) {
+        params.validate();
+        if (actions > 65535) throw_invalid("number of actions", "be at most 65535", actions);
+        return params;
     }
 
     void add_states(std::size_t n) {
         Base::add_states(n);
-        q_.grow(n);
-        counts_.grow(n);
-        detector_.grow(n);
         distances_.grow(n);
-        queue_.grow(n);
-        add_tables(n);
+        retrace_.grow(n);
+        leads_out_.resize(n, 0);
     }
 
-    // --- values ---
-
-    [[nodiscard]] double here(StateId s) const noexcept { return here_[index(s)]; }
-    [[nodiscard]] double step_threshold() const noexcept { return this->params_.threshold * scale_.step_value(); }
+    // --- what was not tried ---
 
     void set_level(StateId s) {
-        double path = GoalDistances::unknown;
-        if (this->params_.bound_by_paths) path = distances_.distance(s);
-        else path = 0.0;
+        const double path = this->params_.bound_by_paths ? distances_.distance(s) : 0.0;
         const OptimismScale::Level level = scale_.level(path);
-        here_[index(s)] = level.here;
-        ahead_[index(s)] = level.ahead;
+        this->at(s).here = level.here;
+        this->at(s).ahead = level.ahead;
+        this->at(s).reach = scale_.reach(path);
     }
 
-    void renew_value(StateId s) noexcept {
-        const std::size_t i = index(s);
-        value_[i] = tried_[i] == 0 ? here_[i] : open_[i] != 0 ? std::max(best_[i], ahead_[i]) : best_[i];
+    /// Before a goal is known an action that probably leads back where the agent came from attracts a little less.
+    [[nodiscard]] double untried_worth(StateId s, ActionId a, double level) const noexcept {
+        if (scale_.goal_known() || scale_.costs()) return level;
+        return level * (1.0 - this->params_.retrace * retrace_.rate(s, a));
     }
 
-    void renew_best(StateId s) noexcept {
-        const auto& allowed = Base::legal().allowed(s);
-        double best = never;
-        for (std::size_t i = 0; i < Base::actions(); ++i) {
-            const ActionId a = action_id(i);
-            if (allowed.contains(a) && counts_.n(s, a) > 0.0) best = std::max(best, q_(s, a));
-        }
-        best_[index(s)] = best;
-        renew_value(s);
+    [[nodiscard]] double best_untried(StateId s, double level) const noexcept {
+        if (scale_.goal_known() || scale_.costs()) return level;
+        double best = Base::never;
+        Base::for_each_legal(s, [&](ActionId a) {
+            if (!this->model_.tried(s, a)) best = std::max(best, untried_worth(s, a, level));
+        });
+        return best;
     }
 
-    void count_actions(StateId s) noexcept {
-        const auto& allowed = Base::legal().allowed(s);
-        std::uint16_t tried = 0;
-        std::uint16_t open = 0;
-        for (std::size_t i = 0; i < Base::actions(); ++i) {
-            if (!allowed.contains(action_id(i))) continue;
-            ++(counts_.n(s, action_id(i)) > 0.0 ? tried : open);
-        }
-        tried_[index(s)] = tried;
-        open_[index(s)] = open;
-    }
+    [[nodiscard]] double open_worth(StateId s) const noexcept { return best_untried(s, this->at(s).ahead); }
+    [[nodiscard]] double unseen_worth(StateId s) const noexcept { return best_untried(s, this->at(s).here); }
 
+    /// s turned up, from a state `from` if not no_state.
     void know(StateId s, StateId from) {
-        if (seen_[index(s)]) return;
-        seen_[index(s)] = 1;
+        if (this->at(s).seen) {
+            if constexpr (!std::is_same_v<typename Policies::LegalActions, AllActions> &&
+                          !std::is_same_v<typename Policies::LegalActions, LegalActionTable>) {
+                legal_actions_changed(s);
+            }
+            return;
+        }
+        this->at(s).seen = true;
         order_.push_back(s);
-        distances_.set_distance(s, from == no_state ? GoalDistances::unknown : distances_.distance(from));
+        if (from != no_state) distances_.set_distance(s, distances_.distance(from));
         set_level(s);
-        count_actions(s);
-        renew_value(s);
+        Base::count_actions(s);
+        Base::renew_best(s);
     }
 
     void legal_actions_changed(StateId s) {
-        if (!seen_[index(s)]) return;
-        const double before = value_[index(s)];
-        count_actions(s);
-        renew_best(s);
-        pass_on(s, before);
-    }
-
-    [[nodiscard]] double worth(StateId s) const noexcept {
-        return given_.empty() ? std::numeric_limits<double>::quiet_NaN() : worth_[index(s)];
-    }
-
-    /// Sum over the outcomes of (s,a) of n (r + gamma v(s')), s' = s apart.
-    struct Sums {
-        double value = 0.0;
-        double self = 0.0;
-    };
-
-    template <class Value>
-    Sums sum_outcomes(StateId s, ActionId a, const Value& value) {
-        Sums sums;
-        const double gamma = this->params_.gamma;
-        counts_.for_each_successor(s, [&](const auto& successor) {
-            const FadingCell* cell = successor.cell(a);
-            if (cell == nullptr) return;
-            spend(1);
-            const StateId next = successor.state();
-            if (!given_.empty() && worth_[index(next)] == worth_[index(next)]) {
-                sums.value += cell->n * worth_[index(next)];
-                return;
-            }
-            if (cell->terminal()) {
-                sums.value += given_.empty() ? cell->reward_sum : std::min(0.0, cell->reward_sum);
-                return;
-            }
-            sums.value += cell->reward_sum;
-            if (next == s) {
-                sums.self = cell->n;
-            } else {
-                sums.value += cell->n * gamma * value(next);
-            }
-        });
-        return sums;
-    }
-
-    [[nodiscard]] double kappa_of(StateId s, ActionId a) const noexcept {
-        if (this->params_.tau == 0.0) return kappa_;
-        const std::size_t at = index(s) * Base::actions() + index(a);
-        const double age = static_cast<double>(steps_ - last_try_[at]);
-        return kappa_ + counts_.n(s, a) *
-                            (1.0 - std::exp(-age / (this->params_.tau * static_cast<double>(pairs_tried_))));
-    }
-
-    [[nodiscard]] double backup(StateId s, ActionId a) {
-        const Sums sums = sum_outcomes(s, a, [&](StateId next) { return value_[index(next)]; });
-        const double kappa = kappa_of(s, a);
-        const double total = counts_.n(s, a) + kappa;
-        const double x = (kappa * here(s) + sums.value) / total;
-        const double p = this->params_.gamma * sums.self / total;
-        if (p == 0.0) return x;
-        const double alone = x / (1.0 - p);
-        double other = open_[index(s)] != 0 ? ahead_[index(s)] : never;
-        if (alone >= other) {
-            const auto& allowed = Base::legal().allowed(s);
-            for (std::size_t i = 0; i < Base::actions(); ++i) {
-                const ActionId b = action_id(i);
-                if (b != a && allowed.contains(b) && counts_.n(s, b) > 0.0) other = std::max(other, q_(s, b));
-            }
-        }
-        return alone >= other ? alone : x + p * other;
-    }
-
-    /// Every (u,b) that leads to s is queued for a backup if the change of V(s) matters to it.
-    void pass_on(StateId s, double before) {
-        const double change = std::fabs(value_[index(s)] - before);
-        const double threshold = step_threshold();
-        if (!(change > threshold)) return;
-        const double most = this->params_.gamma * change;
-        if (!given_.empty() && worth(s) == worth(s)) return;
-        counts_.for_each_edge_into(s, [&](StateId u, const auto& edge) {
-            edge.for_each_action([&](ActionId b, const FadingCell& cell) {
-                spend(1);
-                if (cell.terminal()) return;
-                const double priority = most * cell.n / (counts_.n(u, b) + kappa_);
-                if (priority > threshold) queue_.raise(u, b, priority);
-            });
-        });
-    }
-
-    void sweep_one() {
-        const BackupQueue::Pair pair = queue_.pop();
-        ++operations_;
-        if (!(counts_.n(pair.state, pair.action) > 0.0)) return;
-        const double before = value_[index(pair.state)];
-        q_(pair.state, pair.action) = backup(pair.state, pair.action);
-        renew_best(pair.state);
-        pass_on(pair.state, before);
-    }
-
-    void sweep() {
-        std::uint64_t begun = operations_;
-        while (!budget_.exhausted() && !queue_.empty() && operations_ - begun < this->params_.slice) sweep_one();
-    }
-
-    void spend(std::uint64_t edges) noexcept {
-        operations_ += edges;
-        budget_.spend(edges);
+        if (!this->at(s).seen) return;
+        const double before = this->at(s).value;
+        Base::count_actions(s);
+        Base::renew_best(s);
+        Base::pass_on(s, before);
     }
 
     // --- choosing ---
 
-    [[nodiscard]] double bonus_factor(StateId s) const noexcept {
-        if (!scale_.goal_known()) return 0.0;
-        const double left = std::max(0.0, scale_.cost_of(value_[index(s)])) * scale_.step_value();
-        const double typical = scale_.typical_cost();
-        const double shrink = typical > this->params_.bonus_scale ? this->params_.bonus_scale / typical : 1.0;
-        return this->params_.bonus * left * shrink;
+    [[nodiscard]] double bonus_of(StateId s) const noexcept {
+        if (!scale_.goal_known() || !this->at(s).seen) return 0.0;
+        const double left = std::max(0.0, scale_.cost_of(this->at(s).value)) * scale_.step_value();
+        return this->params_.bonus * left * std::min(1.0, this->params_.bonus_scale / scale_.typical_cost());
     }
 
     ActionId select(StateId s) {
         know(s, no_state);
-        const double bonus = bonus_factor(s);
+        const double bonus = bonus_of(s);
+        const ActionId heading = retrace_.heading(s);
         return Base::choose(s, [&](ActionId a) {
-            const double n = counts_.n(s, a);
-            double score = (n > 0.0 ? q_(s, a) : here(s)) + bonus / (n + 1.0);
+            const double n = this->model_.counts().n(s, a);
+            double score = n > 0.0 ? this->q_(s, a) : untried_worth(s, a, this->at(s).here);
+            score += bonus / (n + 1.0);
             if (!this->hints_.empty()) score += Base::hint_term(s, a);
+            if (a == heading && !(n > 0.0)) score += 1e-9 * (std::fabs(score) + this->scale_step_);  // of equals: go on
             return score;
         });
     }
 
-    [[nodiscard]] double value(StateId s, ActionId a) const noexcept { return counts_.n(s, a) > 0.0 ? q_(s, a) : -1e300; }
+    /// For best(): what was never tried is no better than anything that was.
+    [[nodiscard]] double value(StateId s, ActionId a) const noexcept {
+        return this->model_.tried(s, a) ? this->q_(s, a) : -1e300;
+    }
 
     // --- learning ---
 
-    void episode_begun() noexcept { scale_.begin_episode(); }
+    void episode_begun() noexcept {
+        scale_.begin_episode();
+        retrace_.begin_episode();
+    }
 
     void learn(const Transition& t) {
         const StateId s = t.state;
-        const ActionId a = t.action;
-        ++steps_;
-        path_bank_ += this->params_.path_budget;
+        const bool told = this->goals_.contains(t.next);
         know(s, no_state);
-        const bool given_goal = !given_.empty() && worth(t.next) == worth(t.next);
-        const bool ends = t.terminated || given_goal;
-        know(t.next, ends ? no_state : s);
-        const double n = counts_.n(s, a);
-        const bool first = !(n > 0.0);
-        const bool costs_before = scale_.costs();
-        if (given_goal) {
-            scale_.observe_end(worth(t.next), true);
+        know(t.next, t.terminated || told ? no_state : s);
+        const bool costs = scale_.costs();
+        const double before = this->at(s).value;
+        const bool first = this->model_.observe(t);
+        if (told) {
+            scale_.observe_end(this->goals_.worth(t.next), true);
         } else if (t.terminated) {
-            scale_.observe_end(t.reward, given_.empty() && scale_.counts_as_goal(t.reward));
+            scale_.observe_end(t.reward, this->goals_.empty() && scale_.counts_as_goal(t.reward));
         } else {
             scale_.observe_step(t.reward, first);
         }
-        budget_.earn();
-        const double before = value_[index(s)];
-        if (!first) {
-            const ChangeDetector::Surprise surprise = detector_.judge(counts_, s, a, t.next);
-            spend(surprise.outcomes);
-            const double w = std::min(1.0, n / 3.0);
-            noise_ += w * (1.0 - surprise.likelihood - noise_) * std::max(0.002, 1.0 / (1.0 + noise_weight_));
-            noise_weight_ += w;
-            kappa_ = std::max(this->params_.kappa_least, this->params_.kappa_noise * noise_);
+        this->scale_step_ = scale_.step_value();
+        this->visits_.add(s, t.action);
+        retrace_.observe(t);
+        if (t.terminated || told) remember_exit(s);
+        if (first) Base::count_actions(s);
+        if (scale_.costs() != costs) rescale();
+
+        this->budget_.earn();
+        path_bank_ += this->params_.path_budget;
+        level_bank_ += this->params_.path_budget;
+        this->q_(s, t.action) = Base::backup(s, t.action);
+        Base::for_each_legal(s, [&](ActionId b) {
+            if (b != t.action && this->model_.tried(s, b)) this->q_(s, b) = Base::backup(s, b);
+        });
+        Base::renew_best(s);
+        Base::pass_on(s, before);
+        if (first && !scale_.goal_known()) look_back(t.next);
+        Base::sweep();
+        go_on();
+    }
+
+    /// By entering s the agent may have learnt that an untried action there leads back.
+    void look_back(StateId s) {
+        if (this->at(s).open == 0) return;
+        const double before = this->at(s).value;
+        Base::renew_value(s);
+        Base::pass_on(s, before);
+    }
+
+    void remember_exit(StateId s) {
+        if (leads_out_[index(s)] != 0) return;
+        leads_out_[index(s)] = 1;
+        exits_.push_back(s);
+    }
+
+    /// Steps turned out to cost, or not: what is known so far is few states, as a rule.
+    void rescale() {
+        this->goals_.renew(scale_);
+        if (chore_ == Chore::none) begin_chore(Chore::levels);
+    }
+
+    void episode_ended() {
+        scale_.end_episode();
+        retrace_.begin_episode();
+        this->scale_step_ = scale_.step_value();
+        if (scale_.goal_known()) this->model_.doubt_few();
+        if (chore_ == Chore::none && scale_.goal_known()) begin_renewal();
+        go_on();
+    }
+
+    void goals_changed(const std::vector<Goal>& goals) {
+        if (goals.empty()) {
+            scale_.discover_goals();
         } else {
-            ++pairs_tried_;
-            ++tried_[index(s)];
-            if (open_[index(s)] != 0) --open_[index(s)];
+            scale_.told_goals();
         }
-        if (this->params_.cap > 0.0 && n >= this->params_.cap) {
-            counts_.fade(s, a, this->params_.cap / (n + 1.0), this->params_.change.least_count);
-        }
-        counts_.record(s, a, t.next, t.terminated, t.reward, t.weight);
-        this->visits_.add(s, a);
-        if (this->params_.tau > 0.0) remember_try(s, a);
-        if (ends && !leads_out_[index(s)]) {
-            leads_out_[index(s)] = 1;
-            exits_.push_back(s);
-        }
-        detector_.follow(counts_, s, a, t.next);
-        if (detector_.alarmed(s, a, pairs_tried_)) detector_.reset(counts_, s, a);
-        if (scale_.costs() != costs_before && !scale_.goal_known()) relevel_all(false);
+        this->goals_.set(goals, scale_);
+        this->scale_step_ = scale_.step_value();
+        this->hints_.clear();
+        restarted_ = false;
+        begin_renewal();
+        go_on();
+    }
 
-        q_(s, a) = backup(s, a);
-        renew_best(s);
+    // --- chores ---
+
+    void begin_chore(Chore chore) {
+        chore_ = chore;
+        cursor_ = 0;
+    }
+
+    void begin_renewal() {
+        if (this->params_.bound_by_paths && (!restarted_ || path_bank_ >= path_cost_)) {
+            path_bank_ = 0.0;
+            path_cost_ = 0.0;
+            const bool rescaled = labelled_costs_ != scale_.costs() || (scale_.costs() && labelled_unit_ != scale_.unit());
+            labelled_costs_ = scale_.costs();
+            labelled_unit_ = scale_.unit();
+            if (rescaled) return begin_chore(Chore::relabel);
+            begin_search();
+        } else if (!restarted_ || level_bank_ >= static_cast<double>(order_.size())) {
+            begin_chore(Chore::levels);
+        }
+    }
+
+    void go_on() {
+        if (this->params_.bound_by_paths && !distances_.searching() && this->model_.counts().dirty().size() >= most_dirty) {
+            charge(distances_.refresh(this->model_.counts(), step_cost()));
+        }
+        if (chore_ == Chore::none) return;
+        const std::uint64_t end = this->operations_ + this->params_.slice;
+        while (chore_ != Chore::none && this->operations_ < end) {
+            switch (chore_) {
+                case Chore::search: search(end - this->operations_); break;
+                case Chore::none: break;
+                default: next_state(); break;
+            }
+        }
+    }
+
+    /// The chore's next state, or the next chore.
+    void next_state() {
+        if (cursor_ == order_.size()) return finish();
+        const StateId s = order_[cursor_++];
+        ++this->operations_;
+        switch (chore_) {
+            case Chore::relabel: charge(distances_.relabel(this->model_.counts(), s, step_cost())); break;
+            case Chore::levels: renew_level(s); break;
+            case Chore::restart: restart(s); break;
+            default: enqueue(s); break;
+        }
+    }
+
+    void finish() {
+        switch (chore_) {
+            case Chore::relabel: begin_search(); break;
+            case Chore::levels:
+                level_bank_ = 0.0;
+                if (restarted_ || !scale_.goal_known()) {
+                    begin_chore(Chore::none);
+                } else {
+                    this->queue_.clear();
+                    begin_chore(Chore::restart);
+                }
+                break;
+            case Chore::restart: begin_chore(Chore::enqueue); break;
+            default:
+                restarted_ = true;
+                this->budget_.grant(this->budget_.per_step() * this->model_.steps());
+                begin_chore(Chore::none);
+                Base::sweep();
+                break;
+        }
+    }
+
+    void renew_level(StateId s) {
+        const double before = this->at(s).value;
+        set_level(s);
+        Base::renew_value(s);
+        if (restarted_) Base::pass_on(s, before);
+    }
+
+    /// Q(s,.) as if nothing but the next step were known.
+    void restart(StateId s) {
         for (std::size_t i = 0; i < Base::actions(); ++i) {
-            const ActionId b = action_id(i);
-            if (b == a || !(counts_.n(s, b) > 0.0)) continue;
-            q_(s, b) = backup(s, b);
-            renew_best(s);
+            const ActionId a = action_id(i);
+            if (!this->model_.tried(s, a)) continue;
+            const auto sums = Base::sum_outcomes(s, a, [this](StateId next) { return this->at(next).ahead; });
+            this->q_(s, a) = (sums.value + this->params_.gamma * sums.staying * this->at(s).ahead) /
+                             this->model_.counts().n(s, a);
         }
-        pass_on(s, before);
-        sweep();
+        Base::renew_best(s);
     }
 
-    void remember_try(StateId s, ActionId a) {
-        if (last_try_.size() < value_.size() * Base::actions()) last_try_.resize(value_.size() * Base::actions(), 0);
-        last_try_[index(s) * Base::actions() + index(a)] = steps_;
-    }
-
-    // --- at the end of an episode ---
-
-    void relevel_all(bool pass) {
-        for (const StateId s : order_) {
-            const double before = value_[index(s)];
-            set_level(s);
-            renew_value(s);
-            ++operations_;
-            if (pass) pass_on(s, before);
+    void enqueue(StateId s) {
+        for (std::size_t i = 0; i < Base::actions(); ++i) {
+            const ActionId a = action_id(i);
+            if (!this->model_.tried(s, a)) continue;
+            const double off = std::fabs(Base::backup(s, a) - this->q_(s, a));
+            if (off > 0.0) this->queue_.raise(s, a, off);
         }
     }
+
+    // --- paths ---
 
     [[nodiscard]] auto step_cost() const {
         const bool costs = scale_.costs();
@@ -390,108 +402,63 @@ private:
         return [costs, unit](double mean_reward) { return costs ? std::max(1.0, -mean_reward / unit) : 1.0; };
     }
 
-    void find_paths() {
-        const bool mode_changed = labelled_costs_ != scale_.costs() || (scale_.costs() && labelled_unit_ != scale_.unit());
-        labelled_costs_ = scale_.costs();
-        labelled_unit_ = scale_.unit();
-        const std::size_t edges = mode_changed ? distances_.refresh_all(counts_, step_cost()) : distances_.refresh(counts_, step_cost());
+    void begin_search() {
+        charge(distances_.refresh(this->model_.counts(), step_cost()));
+        find_seeds();
+        distances_.start(seeds_);
+        chore_ = Chore::search;
+    }
+
+    void search(std::uint64_t edges) {
+        StepBudget budget(edges, edges);
+        budget.earn();
+        const std::size_t before = distances_.work();
+        const bool finished = distances_.advance(this->model_.counts(), budget);
+        charge(distances_.work() - before);
+        if (finished) begin_chore(Chore::levels);
+    }
+
+    /// The states from which an episode ended well, and how far the end is from there.
+    void find_seeds() {
         seeds_.clear();
         for (const StateId s : exits_) {
             double least = GoalDistances::unknown;
-            counts_.for_each_successor(s, [&](const auto& successor) {
+            this->model_.counts().for_each_successor(s, [&](const auto& successor) {
+                const bool told = this->goals_.contains(successor.state());
                 successor.for_each_action([&](ActionId a, const FadingCell& cell) {
-                    const bool goal = !given_.empty() && worth(successor.state()) == worth(successor.state());
-                    if (!(goal || cell.terminal()) || cell.n < 0.5) return;
-                    const double r = goal ? worth(successor.state()) : cell.mean_reward();
-                    if (!goal && (!given_.empty() || !scale_.counts_as_goal(r))) return;
-                    const double cost = scale_.costs() ? (scale_.top() - r) / scale_.unit() : scale_.cost_of(r) + 1.0;
-                    least = std::min(least, std::max(0.0, cost) * counts_.n(s, a) / cell.n);
+                    if (cell.n < 0.5 || !(told || cell.terminal())) return;
+                    const double reward = told ? this->goals_.worth(successor.state()) : cell.mean_reward();
+                    if (!told && (!this->goals_.empty() || !scale_.counts_as_goal(reward))) return;
+                    const double steps = std::max(0.0, scale_.cost_of(reward)) + (scale_.costs() ? 0.0 : 1.0);
+                    least = std::min(least, steps * this->model_.counts().n(s, a) / cell.n);
                 });
             });
             if (least < GoalDistances::unknown) seeds_.push_back({s, least});
         }
-        distances_.start(seeds_);
-        StepBudget all = StepBudget::unlimited();
-        distances_.advance(counts_, all);
-        path_cost_ = static_cast<double>(distances_.work() + edges);
-        operations_ += distances_.work() + edges;
     }
 
-    void episode_ended() {
-        scale_.end_episode();
-        if (!scale_.goal_known()) return;
-        if (this->params_.bound_by_paths && (!resolved_ || path_bank_ >= path_cost_)) {
-            path_bank_ = 0.0;
-            find_paths();
-        }
-        relevel_all(resolved_);
-        if (!resolved_) resolve();
+    void charge(std::size_t edges) noexcept {
+        this->operations_ += edges;
+        path_cost_ += static_cast<double>(edges);
     }
 
-    void resolve() {
-        resolved_ = true;
-        queue_.clear();
-        for (const StateId s : order_) {
-            for (std::size_t i = 0; i < Base::actions(); ++i) {
-                const ActionId a = action_id(i);
-                const double n = counts_.n(s, a);
-                if (!(n > 0.0)) continue;
-                const Sums sums = sum_outcomes(s, a, [&](StateId next) { return ahead_[index(next)]; });
-                q_(s, a) = (sums.value + sums.self * this->params_.gamma * ahead_[index(s)]) / n;
-            }
-            renew_best(s);
-        }
-        for (const StateId s : order_) {
-            for (std::size_t i = 0; i < Base::actions(); ++i) {
-                const ActionId a = action_id(i);
-                if (!(counts_.n(s, a) > 0.0)) continue;
-                const double off = std::fabs(backup(s, a) - q_(s, a));
-                if (off > 0.0) queue_.raise(s, a, off);
-            }
-        }
-        budget_.grant(budget_.per_step() * steps_);
-        sweep();
-    }
+    static constexpr std::size_t most_dirty = 1000;  // states whose labels may wait
 
-    void goals_changed(const std::vector<Goal>& goals) {
-        given_ = goals;
-    }
-
-    Counts counts_;
-    QTable q_;
     OptimismScale scale_;
-    ChangeDetector detector_;
     GoalDistances distances_;
-    BackupQueue queue_;
-    StepBudget budget_;
-
-    std::vector<double> value_;   // V(s)
-    std::vector<double> best_;    // max Q over tried legal actions
-    std::vector<double> here_;    // worth of an untried action of s
-    std::vector<double> ahead_;   // ... seen from another state
-    std::vector<std::uint16_t> tried_;
-    std::vector<std::uint16_t> open_;  // legal actions never tried
-    std::vector<std::uint8_t> seen_;
-    std::vector<StateId> order_;  // states in the order they were seen
-    std::vector<std::uint8_t> leads_out_;
-    std::vector<StateId> exits_;  // states from which an episode ended
+    Retrace retrace_;
+    std::vector<StateId> order_;           // states in the order they were seen
+    std::vector<std::uint8_t> leads_out_;  // whether an episode ended from there
+    std::vector<StateId> exits_;           // those
     std::vector<Goal> seeds_;
-    std::vector<std::uint64_t> last_try_;
-
-    std::vector<Goal> given_;
-    std::vector<double> worth_;
-
-    double kappa_;
-    double noise_ = 0.0;
-    double noise_weight_ = 0.0;
-    double path_bank_ = 0.0;
+    Chore chore_ = Chore::none;
+    std::size_t cursor_ = 0;
+    bool restarted_ = false;
+    double path_bank_ = 0.0;   // edge touches earned for paths, and what the last search took
     double path_cost_ = 0.0;
+    double level_bank_ = 0.0;
     double labelled_unit_ = 0.0;
     bool labelled_costs_ = false;
-    bool resolved_ = false;
-    std::size_t pairs_tried_ = 0;
-    std::uint64_t steps_ = 0;
-    std::uint64_t operations_ = 0;
 };
 
 }  // namespace sspql

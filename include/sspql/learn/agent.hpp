@@ -10,6 +10,7 @@
 
 #include <sspql/core/concepts.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/learn/adaptive_sspql.hpp>
 #include <sspql/learn/sspql.hpp>
 #include <sspql/learn/transition.hpp>
 #include <sspql/spaces/action_policy.hpp>
@@ -20,7 +21,8 @@ namespace sspql {
 
 /// A learner that speaks the robot's own language: observations in, commands out.
 ///
-///     sspql::Agent robot(state_policy, action_policy);          learns with SSPQL's defaults
+///     sspql::Agent robot(state_policy, action_policy);          learns with the adaptive planner
+///     sspql::Agent robot(state_policy, action_policy, sspql::paper());              with SSPQL as published
 ///     sspql::Agent robot(state_policy, action_policy, sspql::QLearningParams<>{}, seed);
 ///
 ///     Command c = robot.begin(observation);                     an episode
@@ -34,7 +36,7 @@ namespace sspql {
 ///
 /// Everything is held by value. Errors, complexity and threads are the Learner's, plus what encode and decode throw; a
 /// refused call changes nothing that was learnt.
-template <class StatePolicy, class ActionPolicy, class Learner = Sspql<>>
+template <class StatePolicy, class ActionPolicy, class Learner = AdaptiveSspql<>>
 class Agent {
     static_assert(detail::is_detected_convertible_v<std::size_t, detail::SizeExpression, StatePolicy>,
                   "sspql: this StatePolicy lacks `std::size_t size() const`");
@@ -189,7 +191,7 @@ private:
 };
 
 template <class StatePolicy, class ActionPolicy>
-Agent(StatePolicy, ActionPolicy) -> Agent<StatePolicy, ActionPolicy, Sspql<>>;
+Agent(StatePolicy, ActionPolicy) -> Agent<StatePolicy, ActionPolicy, AdaptiveSspql<>>;
 
 template <class StatePolicy, class ActionPolicy, class Params>
 Agent(StatePolicy, ActionPolicy, Params) -> Agent<StatePolicy, ActionPolicy, typename Params::Learner>;

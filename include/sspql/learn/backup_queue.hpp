@@ -26,6 +26,12 @@ public:
         if (priority_.size() < states * actions_) priority_.resize(states * actions_, 0.0);
     }
 
+    /// Up to this many states nothing is allocated, however many (s,a) are queued.
+    void reserve(std::size_t states) {
+        heap_.reserve(states * actions_);
+        priority_.reserve(states * actions_);
+    }
+
     /// Queues (s,a), or raises it, to a priority > 0.
     void raise(StateId s, ActionId a, double priority) {
         const std::size_t at = index(s) * actions_ + index(a);

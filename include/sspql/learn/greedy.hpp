@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 
 #include <sspql/core/ids.hpp>
@@ -8,8 +9,8 @@
 
 namespace sspql {
 
-/// Selector: an allowed action of the largest score; equals, up to 1e-12, are drawn from uniformly. O(|A|), one draw
-/// for each equal beyond the first.
+/// Selector: an allowed action of the largest score; equals, up to 1e-12 of it, are drawn from uniformly. O(|A|), one
+/// draw for each equal beyond the first.
 class Greedy {
 public:
     static constexpr double tolerance = 1e-12;
@@ -24,11 +25,12 @@ public:
             const ActionId a = action_id(i);
             if (!allowed.contains(a)) continue;
             const double value = score(a);
-            if (equals == 0 || value > best_score + tolerance) {
+            const double margin = tolerance * std::fabs(best_score);
+            if (equals == 0 || value > best_score + margin) {
                 best = a;
                 best_score = value;
                 equals = 1;
-            } else if (value >= best_score - tolerance && random.below(++equals) == 0) {
+            } else if (value >= best_score - margin && random.below(++equals) == 0) {
                 best = a;
             }
         }

@@ -132,6 +132,12 @@ public:
         if (mask.size() != actions_) throw_invalid("size of the mask", "be " + std::to_string(actions_), mask.size());
         if (mask.is_empty()) throw_invalid("mask of state " + std::to_string(index(s)), "allow an action; actions", 0);
         grow_to(states);
+        bool changed = false;  // a robot that tells its mask with every step seldom tells anything new
+        const auto& allowed = legal_.allowed(s);
+        for (std::size_t a = 0; a < actions_; ++a) {
+            changed = changed || allowed.contains(action_id(a)) != mask.contains(action_id(a));
+        }
+        if (!changed) return;
         if constexpr (stores_masks_v<L>) legal_.set(s, mask);  // else the static_assert stays the only error
         derived().legal_actions_changed(s);
     }

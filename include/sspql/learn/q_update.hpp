@@ -11,7 +11,8 @@ namespace sspql {
 ///
 /// Deviation: Algorithm 2 line 7 prints Q(s',a) on the left; s is the state before the action, as in eq. 1.
 template <class LegalActions>
-void q_update(QTable& q, const Transition& t, double alpha, double gamma, const LegalActions& legal) {
+[[gnu::always_inline]] inline void q_update(QTable& q, const Transition& t, double alpha, double gamma,
+                                            const LegalActions& legal) {
     const double future = t.terminated ? 0.0 : gamma * q.legal_max(t.next, legal);
     double& value = q(t.state, t.action);
     value += alpha * (t.reward + future - value);

@@ -86,26 +86,22 @@ public:
     [[nodiscard]] double backup(StateId s, ActionId a, const QTable& q, const Params& params,
                                 const LegalActions& legal) {
         double sum = params.kappa * params.unknown_value;
-        counts_.for_each_successor(s, [&](const auto& successor) {
-            const Cell* cell = successor.cell(a);
-            if (cell == nullptr) return;
+        counts_.for_each_outcome(s, a, [&](StateId next, const Cell& cell) {
             ++operations_;
-            sum += cell->reward_sum;
-            if (!cell->terminal()) {
-                sum += cell->count() * params.gamma * q.legal_max(successor.state(), legal);
-            }
+            sum += cell.reward_sum;
+            if (!cell.terminal()) sum += cell.count() * params.gamma * q.legal_max(next, legal);
         });
         return sum / (counts_.n(s, a) + params.kappa);
     }
 
     /// One outcome of (s,a), tried at least once, with the probability the counts give it; its reward is the mean one.
     /// `u` is the draw, uniform in [0, 1). O(out-degree).
-    [[nodiscard]] Drawn draw(StateId s, ActionId a, double u) {
+    [[gnu::always_inline, nodiscard]] Drawn draw(StateId s, ActionId a, double u) {
         // No early exit: where the draw falls, nobody can predict; that costs more than the few records behind it.
         double left = u * counts_.n(s, a);
         std::size_t place = 0;
-        counts_.for_each_successor(s, [&](const auto& successor) {
-            left -= successor.n(a);
+        counts_.for_each_n(s, a, [&](double n) {
+            left -= n;
             place += static_cast<std::size_t>(left >= 0.0);
         });
         Drawn drawn;

@@ -8,14 +8,17 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/step_budget.hpp>
 #include <sspql/learn/goal_book.hpp>
 #include <sspql/learn/q_update.hpp>
 #include <sspql/learn/value_learner.hpp>
+#include <sspql/model/probability.hpp>
 #include <sspql/model/transition_counts.hpp>
-#include <sspql/paths/cost_publisher.hpp>
-#include <sspql/paths/fibonacci_heap.hpp>
-#include <sspql/paths/reverse_graph.hpp>
+#include <sspql/paths/auto_queue.hpp>
+#include <sspql/paths/cost.hpp>
+#include <sspql/paths/queue.hpp>
 #include <sspql/paths/shortest_paths.hpp>
+#include <sspql/paths/ssp_planner.hpp>
 #include <sspql/paths/ssp_values.hpp>
 
 namespace sspql {
@@ -28,7 +31,7 @@ struct SspqlPolicies : ValuePolicies {
     using Cell = CountCell;
     using Probability = SumOverActions;
     using Cost = RiskWeighted;
-    using Queue = FibonacciHeap<>;
+    using Queue = AutoQueue<>;
 };
 
 template <class Policies>
@@ -45,6 +48,8 @@ struct SspqlParams : ValueParams<Policies> {
     Schedule ssp_decay = VisitDecay{};  ///< eq. 9, by visits of (s,a) since the goals were set
     typename Policies::Probability probability{};
     typename Policies::Cost cost{};  ///< eq. 2; lambda is in it
+    double path_tolerance = 0.0;     ///< costs off by no more than this share stay; 0.01 makes an episode's end cheap
+    std::uint64_t path_budget = 0;   ///< edges touched per step for the paths; 0: all at the episode's end
 
     SspqlParams() { this->w_exp = 0.1; }
 
@@ -87,12 +92,21 @@ struct SspqlParams : ValueParams<Policies> {
 /// (eq. 2), finds the shortest paths from all states to the goals, and turns them into Q_SSP (eq. 5). Actions are chosen
 /// by w_Q Q + w_SSP(N) Q_SSP + w_EXP Q_EXP plus noise (eq. 8). Goals: GoalBook.
 ///
-/// Interface, errors and threads: Learner. A step is O(|A|) and, after reserve(), allocates nothing, except for the first
-/// weight other than 1, for masks, and beyond 32 successors of a state or 8 actions; an episode's end is O(m + n log n)
-/// for n states and m distinct (s,s').
+/// Interface, errors and threads: Learner. A step is O(|A|) and, after reserve(), allocates nothing, except for the
+/// first weight other than 1, for masks, and beyond 32 successors of a state or 8 actions. An episode's end looks at
+/// states visited since the last one and those whose path changes, or at all where these are many: O(m + n log n) at
+/// most for n states and m distinct (s,s'), with the same result to the bit (PathSolver).
+///
+/// With a path_tolerance eps > 0 paths cost at most (1 + eps) / (1 - eps) times the optimum, and far fewer states
+/// change (CostPublisher). With a path_budget no call but set_goals and update_paths does more for the paths than that
+/// many touches and one state's edges: an episode's end starts a solve unless one is under way, each step or observe
+/// goes on with it, and the paths in use stay the last finished ones until the new ones are complete (SspPlanner). Give
+/// it a few times the average number of edges a state has, and reserve(): growing memory is not bounded.
+///
 /// With step costs every state that ends an episode counts as a goal (GoalBook): where there are hazards too, set_goals.
-/// Known limits of the method: an edge's cost is bounded, so a blocked edge is never dropped; paths are renewed only when
-/// an episode ends; one successor per edge counts, so a hazard beside the path costs nothing.
+/// Known limits of the method: an edge's cost is bounded, so a blocked edge is never dropped; paths are renewed only
+/// when an episode ends (with a path_budget, some steps after that); one successor per edge counts, so a hazard beside
+/// the path costs nothing.
 /// Deviation: N(s,a) in eq. 9 counts visits since the goals were last set, so that a new goal is followed at once.
 template <class Policies = SspqlPolicies>
 class Sspql : public ValueLearner<Sspql<Policies>, Policies, SspqlParams<Policies>> {
@@ -108,12 +122,15 @@ public:
     using Counts = TransitionCounts<typename Policies::Cell>;
 
     /// \throws std::invalid_argument for no states or actions (StateCount::growing() starts with none), gamma or alpha
-    /// outside [0, 1], a schedule for w_SSP above 1 (eq. 9), negative weights, or parameters that are not finite.
+    /// outside [0, 1], a schedule for w_SSP above 1 (eq. 9), negative weights, a path_tolerance outside [0, 0.5],
+    /// a path_budget above 10^15, or parameters that are not finite.
     Sspql(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
         : Base(states, actions, std::move(params), seed),
           counts_(states.initial(), actions),
           goals_(states.initial()),
-          publisher_(Base::params_.cost, Base::params_.probability) {
+          planner_(Base::params_.cost, Base::params_.probability, Base::params_.path_tolerance),
+          budget_(in_instalments() ? StepBudget(Base::params_.path_budget, Base::params_.path_budget)
+                                   : StepBudget::unlimited()) {
         const Params& p = Base::params_;
         require_not_negative("w_q", p.w_q);
         require_not_negative("w_ssp", p.w_ssp);
@@ -123,9 +140,10 @@ public:
     /// Room for `states` states and `pairs` distinct (s,s') in all (0: four a state).
     void reserve(std::size_t states, std::size_t pairs = 0) {
         Base::reserve_values(states);
-        counts_.reserve(states, pairs == 0 ? 4 * states : pairs);
+        pairs = pairs == 0 ? 4 * states : pairs;
+        counts_.reserve(states, pairs);
         goals_.reserve(states);
-        values_.reserve(states);
+        planner_.reserve(states, in_instalments() ? pairs : 0);
     }
 
     /// The terms of eq. 8 for (s,a). \throws std::invalid_argument for ids outside.
@@ -135,14 +153,10 @@ public:
                 static_cast<double>(counts_.n(s, a))};
     }
 
-    /// Renews the shortest paths and Q_SSP now (Algorithm 1) instead of at the episode's end. O(m + n log n).
+    /// Renews the shortest paths and Q_SSP now (Algorithm 1) instead of at the episode's end, all at once whatever the
+    /// path_budget. O(m + n log n).
     void update_paths() {
-        if (this->params_.w_ssp == 0.0) return;
-        operations_ += publisher_.publish(counts_);
-        graph_.assign(counts_);
-        operations_ += graph_.edges();
-        operations_ += shortest_paths_to(graph_, goals_.goals(), queue_, tree_).edges;
-        values_.assign(counts_, tree_, Base::legal());
+        if (this->params_.w_ssp != 0.0) planner_.update(counts_, goals_.goals(), Base::legal());
     }
 
     [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
@@ -151,13 +165,13 @@ public:
     [[nodiscard]] std::vector<Goal> goals() const { return goals_.goals(); }
 
     /// The shortest paths as of the last update; states added since are not in it.
-    [[nodiscard]] const ShortestPathTree& tree() const noexcept { return tree_; }
+    [[nodiscard]] const ShortestPathTree& tree() const noexcept { return planner_.tree(); }
 
     /// Q_SSP as of the last update.
-    [[nodiscard]] const SspValues& ssp_values() const noexcept { return values_; }
+    [[nodiscard]] const SspValues& ssp_values() const noexcept { return planner_.values(); }
 
-    /// Records and edges of the model touched so far: a record each step, three looks at each edge a solve.
-    [[nodiscard]] std::uint64_t model_operations() const noexcept { return operations_; }
+    /// Records and edges of the model touched so far: a record each step, at most a few looks at each edge a solve.
+    [[nodiscard]] std::uint64_t model_operations() const noexcept { return records_ + planner_.edges_touched(); }
 
 private:
     void add_states(std::size_t n) {
@@ -167,7 +181,7 @@ private:
     }
 
     [[nodiscard]] double ssp_term(StateId s, ActionId a) const noexcept {
-        return this->params_.w_ssp * this->params_.ssp_decay(this->visits_(s, a)) * values_(s, a);
+        return this->params_.w_ssp * this->params_.ssp_decay(this->visits_(s, a)) * planner_.values()(s, a);
     }
 
     [[nodiscard]] double bonus_term(StateId s, ActionId a) const noexcept {
@@ -183,19 +197,31 @@ private:
 
     [[nodiscard]] double value(StateId s, ActionId a) const noexcept {
         const double q = this->params_.w_q * this->q_(s, a);
-        return values_.action(s) == a ? q + ssp_term(s, a) : q;
+        return planner_.values().action(s) == a ? q + ssp_term(s, a) : q;
     }
 
     void learn(const Transition& t) {
-        ++operations_;
+        ++records_;
         counts_.record(t.state, t.action, t.next, t.terminated, t.reward, t.weight);
         this->visits_.add(t.state, t.action);
         q_update(this->q_, t, this->params_.alpha(this->visits_(t.state, t.action)), this->params_.gamma,
                  Base::legal());
         goals_.observe(t);
+        if (in_instalments()) {
+            budget_.earn();
+            planner_.advance(counts_, Base::legal(), budget_);
+        }
     }
 
-    void episode_ended() { update_paths(); }
+    void episode_ended() {
+        if (!in_instalments()) {
+            update_paths();
+        } else if (!planner_.running()) {
+            planner_.start(counts_, goals_.goals());
+        }
+    }
+
+    void legal_actions_changed(StateId s) { planner_.mask_changed(s); }  // counts from the next update on
 
     void goals_changed(const std::vector<Goal>& goals) {
         goals_.set(goals);
@@ -203,14 +229,18 @@ private:
         update_paths();
     }
 
+    [[nodiscard]] bool in_instalments() const noexcept {
+        return this->params_.path_budget != 0 && this->params_.w_ssp != 0.0;
+    }
+
     Counts counts_;
     GoalBook goals_;
-    CostPublisher<typename Policies::Cost, typename Policies::Probability> publisher_;
-    typename Policies::Queue queue_;
-    ReverseGraph graph_;
-    ShortestPathTree tree_;
-    SspValues values_;
-    std::uint64_t operations_ = 0;
+    SspPlanner<typename Policies::Cost, typename Policies::Probability, typename Policies::Queue> planner_;
+    StepBudget budget_;
+    std::uint64_t records_ = 0;
 };
+
+/// The paper's method with its preset: `Agent robot(states, actions, sspql::paper());`
+[[nodiscard]] inline SspqlParams<> paper() { return {}; }
 
 }  // namespace sspql

@@ -20,6 +20,12 @@ class SweepingLearner : public ModelLearner<Derived, Policies, ParamsType> {
     using Base = ModelLearner<Derived, Policies, ParamsType>;
 
 public:
+    /// Room for `states` states and `pairs` distinct (s,s') in all (0: four a state).
+    void reserve(std::size_t states, std::size_t pairs = 0) {
+        Base::reserve(states, pairs);
+        queue_.reserve(states);
+    }
+
     /// Backups done so far.
     [[nodiscard]] std::uint64_t backups() const noexcept { return backups_; }
 

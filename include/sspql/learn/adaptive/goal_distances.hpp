@@ -44,6 +44,7 @@ public:
         distance_.reserve(states);
         tentative_.reserve(states);
         queued_.reserve(states);
+        queue_.reserve(states);
     }
 
     /// Brings the costs of the edges out of dirty states up to date. `step_cost(mean reward)` is an edge's weight, >= 1.
@@ -57,13 +58,10 @@ public:
         return edges;
     }
 
-    /// The same for every state: the weights of steps have changed.
+    /// The same for the edges out of one state, dirty or not: the weights of steps have changed. Not while a search runs.
     template <class StepCost>
-    std::size_t refresh_all(Counts& counts, const StepCost& step_cost) {
-        std::size_t edges = 0;
-        for (std::size_t s = 0; s < counts.states(); ++s) edges += refresh_state(counts, state_id(s), step_cost);
-        counts.clear_dirty();
-        return edges;
+    std::size_t relabel(Counts& counts, StateId s, const StepCost& step_cost) {
+        return refresh_state(counts, s, step_cost);
     }
 
     /// Starts a search from the seeds: states with a way out, and how many steps the goal is away by it.

@@ -62,14 +62,14 @@ public:
     void observe_step(double reward, bool first) {
         collect(reward);
         if (reward > 0.0) income_ = true;
-        if (reward != 0.0) unit_ = std::min(unit_, std::fabs(reward));
+        if (reward < 0.0) unit_ = std::min(unit_, -reward);
         if (first) {
             ++first_tries_;
             first_tries_cost_ += std::fabs(reward);
             if (reward < 0.0) ++costly_first_tries_;
             if (!mode_known_ && reward != 0.0) renew();
         }
-        if (income_ && collected_ > top_) {
+        if (income_ && !told_ && collected_ > top_) {
             top_ = collected_;
             goal_known_ = true;
         }
@@ -79,16 +79,33 @@ public:
     void observe_end(double reward, bool goal) {
         collect(reward);
         if (!goal) return;
-        top_ = std::max(top_, income_ ? std::max(reward, collected_) : reward);
+        if (!told_) top_ = std::max(top_, income_ ? std::max(reward, collected_) : reward);
         goal_known_ = true;
-        note_cost(costs_ ? (top_ - return_) / unit_ : cost_of(return_));
+        note_cost(cost_of(return_, 1e-300));
         begin_episode();
     }
 
-    /// Goals were told: they are worth up to `top`, unless more was seen before.
-    void expect_goal(double top) noexcept {
-        if (!goal_known_) top_ = std::max(top_, top);
+    /// Goals were told: the best is worth 1, or 0 where steps cost. What was discovered is put aside.
+    void told_goals() {
+        if (!told_) {
+            discovered_top_ = top_;
+            discovered_goal_ = goal_known_;
+        }
+        told_ = true;
+        top_ = costs_ ? 0.0 : 1.0;
         goal_known_ = true;
+        noted_ = 0;
+        renew();
+    }
+
+    /// The goals told hold no longer.
+    void discover_goals() {
+        if (!told_) return;
+        told_ = false;
+        top_ = discovered_top_;
+        goal_known_ = discovered_goal_;
+        noted_ = 0;
+        renew();
     }
 
     void begin_episode() noexcept {
@@ -129,10 +146,10 @@ public:
         return costs_ ? top_ - c * unit_ : top_ * std::exp(c * log_gamma_);
     }
 
-    /// How many steps away from the goal a value is.
-    [[nodiscard]] double cost_of(double value) const noexcept {
+    /// How many steps away from the goal a value is; values below least * top count as that much.
+    [[nodiscard]] double cost_of(double value, double least = 1e-6) const noexcept {
         if (costs_) return (top_ - value) / unit_;
-        return std::log(std::max(value, 1e-6 * top_) / top_) / log_gamma_;
+        return std::log(std::max(value, least * top_) / top_) / log_gamma_;
     }
 
     /// What untried actions are worth in a state whose shortest known path to a goal is `path` steps long; infinite
@@ -146,6 +163,13 @@ public:
         }
         const double c = std::max(c_, far - params_.saving);
         return {at_cost(c), at_cost(c + params_.gap)};
+    }
+
+    /// How much smaller differences of value are `path` steps from the goal than near it: discounting flattens them
+    /// beyond the horizon of 1 / (1 - gamma) steps. In (0, 1].
+    [[nodiscard]] double reach(double path) const noexcept {
+        const double beyond = path - 1.0 / (1.0 - gamma_);
+        return beyond > 0.0 && goal_known_ ? std::exp(std::max(-600.0, beyond * log_gamma_)) : 1.0;
     }
 
 private:
@@ -192,6 +216,9 @@ private:
     bool mode_known_ = false;
     bool income_ = false;
     bool goal_known_ = false;
+    bool told_ = false;
+    double discovered_top_ = 0.0;
+    bool discovered_goal_ = false;
 };
 
 }  // namespace sspql
