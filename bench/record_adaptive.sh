@@ -1,8 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # record_adaptive.sh BUILD OUT [SEEDS]: runs what docs/adaptive-results.md and the pictures of docs/adaptive.md are made
-# from and writes them to OUT, with the recorded JSON beside them. BUILD is a build tree (build/release). About four
-# minutes on two cores with 200 seeds.
+# from and writes them to OUT, with the recorded JSON beside them: copy the page to docs/ and the pictures to
+# docs/images/. BUILD is a build tree (build/release). Two to three minutes on two cores with 200 seeds.
 set -euf
 build=$(cd "$1" && pwd)
 out=$2

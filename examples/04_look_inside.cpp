@@ -7,19 +7,19 @@
 using sspql::Move;
 
 int main() {
-    sspql::ChangingGridWorld maze = sspql::grid_task("blocking-maze").changing_world();  // the wall moves after 1000 steps
+    sspql::ChangingGridWorld maze = sspql::grid_task("blocking-maze").changing_world();
     const sspql::EnumState<sspql::StateId> states(maze.size());
     const sspql::EnumActions<Move> moves(4);
 
-    sspql::Agent robot(states, moves);                         // the adaptive planner, nothing to tune
-    sspql::Agent published(states, moves, sspql::paper());     // the method of the paper
+    sspql::Agent robot(states, moves);                      // the adaptive planner, nothing to tune
+    sspql::Agent published(states, moves, sspql::paper());  // the method of the paper
 
-    sspql::AdaptiveParams<> careful;                           // the same planner on a slow computer,
-    careful.budget = sspql::StepBudget(20, 500);               //   which may touch 20 edges a step, 500 if it has saved them,
-    careful.slice = 1000;                                      //   and does big jobs in small pieces
-    careful.trust.tau = 100;                                   // in a world where shortcuts open now and then
-    sspql::Agent slow(states, moves, careful, 1);              // 1: the seed
-    slow.learner().reserve(maze.size());                       // from now on no step allocates
+    sspql::AdaptiveParams<> careful;               // the same planner on a slow computer, which may
+    careful.budget = sspql::StepBudget(20, 500);   // touch 20 edges a step, 500 if it has saved them,
+    careful.slice = 1000;                          // and does big jobs in small pieces;
+    careful.trust.tau = 100;                       // and where shortcuts open now and then
+    sspql::Agent slow(states, moves, careful, 1);  // 1: the seed
+    slow.learner().reserve(maze.size());           // from now on no step allocates
 
     std::size_t met = 0;  // the episode in which the wall is met
     for (std::size_t k = 1; met == 0 || k < met + 8; ++k) {
@@ -40,8 +40,8 @@ int main() {
     const sspql::StateId start = maze.reset(0);
     for (const Move move : {Move::up, Move::down, Move::left, Move::right}) {
         const sspql::ActionTerms why = robot.terms(start, sspql::action_id(static_cast<std::size_t>(move)));
-        std::printf("  move %d: %.3f from the way, %.3f for seldom tried, tried %.0f times\n", static_cast<int>(move), why.q,
-                    why.exploration, why.n);
+        std::printf("  move %d: %.3f from the way, %.3f for seldom tried, tried %.0f times\n", static_cast<int>(move),
+                    why.q, why.exploration, why.n);
     }
     std::printf("the goal is %.0f steps away\n", robot.learner().path_length(start));
 }

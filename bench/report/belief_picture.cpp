@@ -86,6 +86,7 @@ public:
         for (const BeliefPanel& panel : panels) {
             for (const BeliefCell& cell : panel.cells) {
                 if (cell.steps && std::isfinite(*cell.steps)) most_ = std::max(most_, *cell.steps);
+                for (const bool alarmed : cell.alarmed) alarms_ = alarms_ || alarmed;
             }
         }
     }
@@ -185,15 +186,16 @@ private:
 
     void paint_legend(Svg& svg, double top) const {
         paint_scale(svg, top);
-        const std::vector<std::pair<std::string, std::function<void(Svg&, Point)>>> symbols{
+        std::vector<std::pair<std::string, std::function<void(Svg&, Point)>>> symbols{
             {"what it would do", [](Svg& s, Point p) { draw_arrow(s, p, symbol_side, GridMove::right, Ink::text); }},
             {"... as a try", [](Svg& s, Point p) { draw_arrow(s, p, symbol_side, GridMove::right, hope); }},
             {"never tried", [](Svg& s, Point p) { draw_untried(s, p, symbol_side, GridMove::right); }},
-            {"alarm: changed",
-             [](Svg& s, Point p) {
-                 draw_alarm(s, {p.x, p.y + 0.4 * symbol_side}, symbol_side, GridMove::up);
-             }},
         };
+        if (alarms_) {
+            symbols.emplace_back("alarm: changed", [](Svg& s, Point p) {
+                draw_alarm(s, {p.x, p.y + 0.4 * symbol_side}, symbol_side, GridMove::up);
+            });
+        }
         double x = margin;
         for (const auto& [text, draw] : symbols) {
             symbol(svg, {x, top + legend_row}, text, draw);
@@ -213,6 +215,7 @@ private:
     double panel_height_ = 0.0;
     double side_ = 0.0;
     double most_ = 1.0;
+    bool alarms_ = false;
 };
 
 void check(const std::vector<BeliefPanel>& panels, std::size_t rows, std::size_t columns, std::size_t across) {

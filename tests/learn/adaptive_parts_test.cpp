@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The small parts of AdaptiveSspql: which actions lead back, a selector without noise, goals that were told.
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>

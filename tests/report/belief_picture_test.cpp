@@ -47,7 +47,10 @@ TEST(BeliefPicture, EveryMarkIsDrawnAndExplained) {
     marked.way = {0, 1, 4};
     const std::string after = drawn(marked);
     EXPECT_EQ(count(after, "<circle"), 5u);
-    EXPECT_EQ(count(after, "<polyline"), count(before, "<polyline") + 3u);  // an alarm with its edge, the way
+    EXPECT_EQ(count(before, "alarm"), 0u);
+    EXPECT_EQ(count(after, "alarm"), 1u);
+    EXPECT_EQ(count(before, "<polyline"), 1u);  // the legend's
+    EXPECT_EQ(count(after, "<polyline"), 6u);   // and an alarm with its edge, the alarm in the legend, the way
     EXPECT_EQ(after, drawn(marked));
 }
 

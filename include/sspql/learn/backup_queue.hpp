@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -55,8 +56,10 @@ public:
         return {state_id(at / actions_), action_id(at % actions_)};
     }
 
+    /// O(number of (s,a)), at memory speed.
     void clear() {
-        while (!empty()) pop();
+        std::fill(priority_.begin(), priority_.end(), 0.0);
+        heap_.prepare(0);
     }
 
 private:

@@ -199,10 +199,13 @@ protected:
         renew_best(s);
     }
 
-    /// Backups in order of urgency, until the budget is spent; one call spends no more than a slice.
+    /// From now on sweeps and chores may touch a slice of edges, until the next call by the user.
+    void begin_call() noexcept { call_ends_ = operations_ + this->params_.slice; }
+    [[nodiscard]] bool call_over() const noexcept { return operations_ >= call_ends_; }
+
+    /// Backups in order of urgency, until the budget or the call's slice is spent.
     void sweep() {
-        const std::uint64_t end = operations_ + this->params_.slice;
-        while (!queue_.empty() && !budget_.exhausted() && operations_ < end) {
+        while (!queue_.empty() && !budget_.exhausted() && !call_over()) {
             const BackupQueue::Pair pair = queue_.pop();
             const double before = at(pair.state).value;
             back_up(pair.state, pair.action);
@@ -222,6 +225,7 @@ protected:
     BackupQueue queue_;
     StepBudget budget_;
     std::uint64_t operations_ = 0;
+    std::uint64_t call_ends_ = 0;
     double scale_step_ = 0.0;  // what a step is worth now
 };
 
