@@ -129,6 +129,6 @@ TEST(GridMaps, AreFoundByNameOnly) {
     } catch (const std::invalid_argument& error) {
         EXPECT_STREQ(error.what(),
                      "map must be one of open64, soft54, soft47, nest54, nest47, dyna-maze, blocking-maze, "
-                     "shortcut-maze, cliff, got open");
+                     "shortcut-maze, cliff, or walls60 and the like, got open");
     }
 }

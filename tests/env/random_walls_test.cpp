@@ -62,12 +62,13 @@ TEST(RandomWalls, TheSameSeedGivesTheSameMap) {
     EXPECT_EQ(random_walls(30, 0.2, 7), random_walls(30, 0.2, 7));
     EXPECT_NE(random_walls(30, 0.2, 7), random_walls(30, 0.2, 8));
     // Drawn once and kept: what was measured on these maps stays comparable.
-    EXPECT_EQ(random_walls(6, 0.3, 1).text(), "##...#\n"
-                                              "##....\n"
-                                              ".....#\n"
-                                              "...#..\n"
-                                              "#.....\n"
-                                              ".....G\n");
+    EXPECT_EQ(random_walls(6, 0.3, 1).text(),
+              "##...#\n"
+              "##....\n"
+              ".....#\n"
+              "...#..\n"
+              "#.....\n"
+              ".....G\n");
 }
 
 TEST(RandomWalls, AreKnownByName) {
@@ -75,13 +76,15 @@ TEST(RandomWalls, AreKnownByName) {
     EXPECT_EQ(grid_task("walls20:3").map, random_walls(20, 0.2, 3));
     EXPECT_EQ(grid_task("walls20:3").params.slip, 0.1);
     EXPECT_EQ(grid_task("walls20:3").name, "walls20:3");
-    for (const char* bad : {"walls", "walls3", "walls301", "walls20:", "walls20:x", "walls20:3x", "walls20x", "walls-5"}) {
+    for (const char* bad :
+         {"walls", "walls3", "walls301", "walls20:", "walls20:x", "walls20:3x", "walls20x", "walls-5"}) {
         EXPECT_FALSE(find_grid_task(bad).has_value()) << bad;
     }
 }
 
 TEST(RandomWalls, RefusesWhatSeldomHangsTogether) {
-    for (const std::size_t size : {0u, 1u, 4097u}) EXPECT_THROW((void)random_walls(size, 0.2, 1), std::invalid_argument);
+    for (const std::size_t size : {0u, 1u, 4097u})
+        EXPECT_THROW((void)random_walls(size, 0.2, 1), std::invalid_argument);
     for (const double walls : {-0.1, 0.31, std::numeric_limits<double>::quiet_NaN()}) {
         EXPECT_THROW((void)random_walls(10, walls, 1), std::invalid_argument);
     }

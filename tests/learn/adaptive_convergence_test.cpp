@@ -105,8 +105,8 @@ TEST(AdaptiveConvergence, ACertainWorldIsLearntExactly) {
     }
 }
 
-// Measured on several samples: values off by 3 to 5 % and 3 to 8 % lacking on average, up to 40 % where first tries were
-// unlucky.
+// Measured on several samples: values off by 3 to 5 % and 3 to 8 % lacking on average, up to 40 % where first tries
+// were unlucky.
 TEST(AdaptiveConvergence, ANoisyWorldIsLearntUpToWhatTheLastOutcomesSay) {
     AdaptiveParams<> params = fully_optimistic();
     params.change.threshold = 1e9;

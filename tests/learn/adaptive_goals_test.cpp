@@ -66,7 +66,7 @@ TEST(AdaptiveGoals, PathsToAToldGoalAreKnownAtOnce) {
 
 TEST(AdaptiveGoals, ThePlanForANewGoalIsSpreadOverSteps) {
     AdaptiveParams<> params;
-    params.slice = 5;
+    params.slice = 50;
     AdaptiveSspql<> learner = guest(2, params);
     learner.set_goals({{Room::at(4, 4)}});
     std::size_t last = 0;
@@ -124,9 +124,7 @@ TEST(AdaptiveGoals, AnEmptyListGoesBackToTheGoalsRewardsDiscovered) {
 
 TEST(AdaptiveGoals, WhatWasToldHoldsNoLongerThanTold) {
     AdaptiveSspql<> learner = guest(6);  // no reward ever
-    const auto spread = [&] {
-        return learner.state_value(Room::at(3, 4)) - learner.state_value(Room::at(0, 0));
-    };
+    const auto spread = [&] { return learner.state_value(Room::at(3, 4)) - learner.state_value(Room::at(0, 0)); };
     EXPECT_NEAR(spread(), 0.0, 0.03);
     learner.set_goals({{Room::at(4, 4)}});
     EXPECT_NEAR(spread(), 1.0 - std::pow(0.99, 7.0), 0.01) << "seven steps";

@@ -30,22 +30,23 @@ GridWorld lake(const char* map) {
     return GridWorld(GridMap::parse(map), params);
 }
 
-constexpr const char* lakes[] = {"S.......\n"
-                                 ".H....H.\n"
-                                 "....H...\n"
-                                 "..H.....\n"
-                                 ".....H..\n"
-                                 "H..H....\n"
-                                 ".......H\n"
-                                 ".H..H..G\n",
-                                 "S...H...\n"
-                                 "........\n"
-                                 ".H..H...\n"
-                                 "........\n"
-                                 "...H..H.\n"
-                                 ".H......\n"
-                                 ".....H..\n"
-                                 "H..H...G\n"};
+constexpr const char* lakes[] = {
+    "S.......\n"
+    ".H....H.\n"
+    "....H...\n"
+    "..H.....\n"
+    ".....H..\n"
+    "H..H....\n"
+    ".......H\n"
+    ".H..H..G\n",
+    "S...H...\n"
+    "........\n"
+    ".H..H...\n"
+    "........\n"
+    "...H..H.\n"
+    ".H......\n"
+    ".....H..\n"
+    "H..H...G\n"};
 
 /// The greatest probability of reaching the goal within the limit, whatever the policy does with the time that is left.
 double optimum(const TransitionTable& table) {

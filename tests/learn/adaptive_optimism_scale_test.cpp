@@ -113,8 +113,8 @@ TEST(OptimismScale, EpisodesWithoutAGoalSayNothing) {
     episode(scale, 4, 0.0, 1.0);
     scale.begin_episode();
     for (int k = 0; k < 50; ++k) scale.observe_step(0.0, false);
-    scale.end_episode();              // cut
-    episode(scale, 2, 0.0, -10.0);    // into a hazard
+    scale.end_episode();            // cut
+    episode(scale, 2, 0.0, -10.0);  // into a hazard
     EXPECT_NEAR(scale.typical_cost(), 4.0, 1e-12);
     EXPECT_EQ(scale.top(), 1.0);
     episode(scale, 8, 0.0, 1.0);
@@ -193,65 +193,6 @@ TEST(OptimismScale, IncomeIsNotTheUnitOfCosts) {
     for (int k = 0; k < 3; ++k) scale.observe_step(-1.0, true);
     scale.observe_step(0.001, true);
     EXPECT_EQ(scale.unit(), 1.0) << "the smallest cost, which a small gain on the way is not";
-}
-
-TEST(OptimismScale, ToldGoalsReplaceWhatWasDiscovered) {
-    OptimismScale scale(0.9, easy());
-    episode(scale, 4, 0.0, 5.0);
-    scale.told_goals();
-    EXPECT_TRUE(scale.goal_known());
-    EXPECT_EQ(scale.top(), 1.0);
-    EXPECT_EQ(scale.typical_cost(), 0.0);
-    scale.begin_episode();
-    for (int k = 0; k < 3; ++k) scale.observe_step(0.5, false);  // pays nothing now
-    scale.observe_end(1.0, true);
-    scale.end_episode();
-    EXPECT_EQ(scale.top(), 1.0);
-    scale.told_goals();  // others
-    EXPECT_EQ(scale.top(), 1.0);
-    scale.discover_goals();
-    EXPECT_EQ(scale.top(), 5.0);
-    EXPECT_TRUE(scale.goal_known());
-    EXPECT_EQ(scale.typical_cost(), 0.0) << "episodes to the other goals say nothing of these";
-    scale.discover_goals();  // once more changes nothing
-    EXPECT_EQ(scale.top(), 5.0);
-
-    OptimismScale fresh(0.9, easy());
-    fresh.told_goals();
-    fresh.discover_goals();
-    EXPECT_FALSE(fresh.goal_known());
-    EXPECT_EQ(fresh.level(infinity).here, 1.0);
-}
-
-TEST(OptimismScale, ToldGoalsAreWorthNothingWhereStepsCost) {
-    OptimismScale scale(0.9, easy());
-    scale.observe_step(-2.0, true);
-    scale.told_goals();
-    EXPECT_EQ(scale.top(), 0.0);
-    EXPECT_EQ(scale.at_cost(3.0), -6.0);
-}
-
-TEST(OptimismScale, LevelsAreBoundedByTheShortestPath) {
-    OptimismScale scale(0.99, easy());
-    episode(scale, 20, 0.0, 1.0);  // c = 6
-    const auto steps = [&](double path) { return scale.cost_of(scale.level(path).here); };
-    EXPECT_NEAR(steps(0.0), 6.0, 1e-9);
-    EXPECT_NEAR(steps(7.0), 6.0, 1e-9);
-    EXPECT_NEAR(steps(30.0), 29.0, 1e-9) << "at most `saving` nearer than the path";
-    EXPECT_NEAR(steps(infinity), 19.0, 1e-9) << "no path: as far as usual";
-    for (const double path : {0.0, 15.0, 30.0, infinity}) {
-        EXPECT_NEAR(scale.cost_of(scale.level(path).ahead), steps(path) + 3.0, 1e-9);
-    }
-}
-
-TEST(OptimismScale, WhereStepsCostPathsAreDiscountedLikeValues) {
-    OptimismScale scale(0.99, easy(0.5));  // 50 steps at most
-    episode(scale, 20, -1.0, -1.0, true);
-    const auto steps = [&](double path) { return scale.cost_of(scale.level(path).here); };
-    EXPECT_NEAR(steps(30.0), (1.0 - std::pow(0.99, 30.0)) / 0.01 - 1.0, 1e-9);
-    EXPECT_NEAR(steps(infinity), scale.typical_cost() - 1.0, 1e-9);
-    for (int k = 0; k < 9; ++k) episode(scale, 500, -1.0, -1.0);
-    EXPECT_NEAR(steps(infinity), 49.0, 1e-9) << "no farther than the limit, without a path";
 }
 
 TEST(OptimismScale, RefusesParametersOutOfRange) {

@@ -27,7 +27,8 @@ std::vector<int> choices(const std::vector<double>& scores, const ActionSet& leg
     std::vector<int> chosen(scores.size(), 0);
     Random random(3);
     for (int k = 0; k < 6000; ++k) {
-        ++chosen[index(Greedy{}(scores.size(), legal, [&](ActionId a) { return scores[index(a)]; }, random))];
+        ++chosen[index(Greedy{}(
+            scores.size(), legal, [&](ActionId a) { return scores[index(a)]; }, random))];
     }
     return chosen;
 }
@@ -118,9 +119,11 @@ TEST(Greedy, DrawsAmongEqualsUniformly) {
 TEST(Greedy, DrawsNothingWithoutEquals) {
     Random random(1), untouched(1);
     const std::array<double, 3> scores{0.3, 0.1, 0.2};
-    (void)Greedy{}(3, ActionSet::all(3), [&](ActionId a) { return scores[index(a)]; }, random);
+    (void)Greedy{}(
+        3, ActionSet::all(3), [&](ActionId a) { return scores[index(a)]; }, random);
     EXPECT_EQ(random.state(), untouched.state());
-    (void)Greedy{}(3, ActionSet::all(3), [](ActionId) { return 1.0; }, random);
+    (void)Greedy{}(
+        3, ActionSet::all(3), [](ActionId) { return 1.0; }, random);
     EXPECT_NE(random.state(), untouched.state());
     static_assert(is_selector_v<Greedy>);
 }

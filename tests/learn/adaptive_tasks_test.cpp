@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One set of parameters for every kind of task: goals that pay, steps that cost, hazards, income, episodes that are cut.
+// One set of parameters for every kind of task: goals that pay, steps that cost, hazards, income, episodes that are
+// cut.
 #include <sspql/learn/adaptive_sspql.hpp>
 
 #include <cstddef>
@@ -91,11 +92,12 @@ TEST(AdaptiveTasks, CliffWalkingIsLearntWithinAFewFalls) {
 }
 
 TEST(AdaptiveTasks, HazardsThatEndEpisodesAreAvoided) {
-    const GridMap map = GridMap::parse("S.......\n"
-                                       "..H..H..\n"
-                                       "....H...\n"
-                                       ".H....H.\n"
-                                       "...H...G\n");
+    const GridMap map = GridMap::parse(
+        "S.......\n"
+        "..H..H..\n"
+        "....H...\n"
+        ".H....H.\n"
+        "...H...G\n");
     for (const double pain : {0.0, -1.0}) {
         GridWorldParams params;
         params.rewards.hazard = pain;
@@ -151,8 +153,8 @@ TEST(AdaptiveTasks, ValuesFollowIncomeInAnEpisodeThatNeverEnds) {
     EXPECT_NEAR(value, best, 0.35 * best) << "not what was hoped before the first income";
 }
 
-// A known limit: nothing untried is believed to be worth more than the best that was ever collected, so the first income
-// found, however little, is kept where a larger one is far.
+// A known limit: nothing untried is believed to be worth more than the best that was ever collected, so the first
+// income found, however little, is kept where a larger one is far.
 TEST(AdaptiveLimits, AnIncomeAtHandIsNotLeftForALargerOneFarAway) {
     EXPECT_NEAR(late_income(river(0.005), 1000000), 0.005, 0.001);
     EXPECT_NEAR(late_income(river(0.005), 100), 0.005, 0.001);
@@ -160,7 +162,8 @@ TEST(AdaptiveLimits, AnIncomeAtHandIsNotLeftForALargerOneFarAway) {
 
 // The same of goals: the best reward that ended an episode is taken for the best there is.
 TEST(AdaptiveLimits, AGoalAtHandIsNotLeftForABetterOneFarAway) {
-    TransitionTableBuilder builder(22, 2);  // 0 .. 20 in a row, from 2 on; a poor goal left of it, a rich one to the right
+    TransitionTableBuilder builder(22,
+                                   2);  // 0 .. 20 in a row, from 2 on; a poor goal left of it, a rich one to the right
     for (std::size_t i = 1; i < 21; ++i) {
         builder.add(state_id(i), action_id(0), state_id(i - 1), 1.0, i == 1 ? 0.1 : 0.0, i == 1);
         builder.add(state_id(i), action_id(1), state_id(i + 1), 1.0, i == 20 ? 1.0 : 0.0, i == 20);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A robot's control loop cannot wait: no call touches more edges than the budget's bank, one slice, and what is
-// indivisible, also when the first goal is found, new goals are told or the world changes.
+// A robot's control loop cannot wait: no call touches more edges than a slice and one piece of work more, also when the
+// first goal is found, new goals are told or the world changes.
 #include <sspql/learn/adaptive_sspql.hpp>
 
 #include <algorithm>
@@ -16,8 +16,9 @@ using namespace sspql;
 
 namespace {
 
-/// A state's edges, those into it with all actions included, and its backups: on a grid five neighbours, four actions.
-constexpr std::uint64_t indivisible = 200;
+/// The edges out of 200 states whose paths are due: five neighbours on a grid, four actions. And those of the state the
+/// call is about, in and out.
+constexpr std::uint64_t piece = 200 * 5 * 4 + 200;
 
 struct Work {
     std::uint64_t worst = 0;  ///< of a call
@@ -62,7 +63,7 @@ void live(GridWorld& world, AdaptiveSspql<>& learner, std::size_t steps, Work& w
     }
 }
 
-std::uint64_t bound(const AdaptiveParams<>& params) { return params.budget.bank() + params.slice + indivisible; }
+std::uint64_t bound(const AdaptiveParams<>& params) { return params.slice + piece; }
 
 }  // namespace
 

@@ -87,7 +87,8 @@ public:
     [[nodiscard]] ActionTerms terms(StateId s, ActionId a) const {
         Base::require_known(s, a);
         const double n = this->model_.counts().n(s, a);
-        return {n > 0.0 ? this->q_(s, a) : untried_worth(s, a, this->at(s).here), 0.0, bonus_of(s) / (n + 1.0),
+        const double hope = this->at(s).seen ? this->at(s).here : scale_.level(GoalDistances::unknown).here;
+        return {n > 0.0 ? this->q_(s, a) : untried_worth(s, a, hope), 0.0, bonus_of(s) / (n + 1.0),
                 Base::hint_term(s, a), n};
     }
 
@@ -225,7 +226,7 @@ private:
         know(s, no_state);
         know(t.next, t.terminated || told ? no_state : s);
         const bool costs = scale_.costs();
-        const double before = this->at(s).value;
+        double before = this->at(s).value;
         const bool first = this->model_.observe(t);
         if (told) {
             scale_.observe_end(this->goals_.worth(t.next), true);
@@ -239,7 +240,11 @@ private:
         retrace_.observe(t);
         if (t.terminated || told) remember_exit(s);
         if (first) Base::count_actions(s);
-        if (scale_.costs() != costs) rescale();
+        if (scale_.costs() != costs) {
+            rescale();
+            go_on();  // before anything is backed up from levels that hold no longer
+            before = this->at(s).value;
+        }
 
         this->budget_.earn();
         path_bank_ += this->params_.path_budget;
@@ -252,7 +257,19 @@ private:
         Base::pass_on(s, before);
         if (first && !scale_.goal_known()) look_back(t.next);
         Base::sweep();
+        if (!t.terminated && !told) follow_income();
         go_on();
+    }
+
+    /// What was collected on the way grew, in an episode that may never end.
+    void follow_income() {
+        if (chore_ != Chore::none || !scale_.goal_known()) return;
+        if (!(std::fabs(scale_.top() - levels_top_) > 0.1 * std::fabs(scale_.top()))) return;
+        if (!restarted_) {
+            begin_renewal();
+        } else if (level_bank_ >= static_cast<double>(order_.size())) {
+            begin_chore(Chore::levels);
+        }
     }
 
     /// By entering s the agent may have learnt that an untried action there leads back.
@@ -292,9 +309,13 @@ private:
             scale_.told_goals();
         }
         this->goals_.set(goals, scale_);
+        for (const Goal& goal : goals) {
+            this->model_.counts().for_each_predecessor(goal.state, [this](StateId s, double) { remember_exit(s); });
+        }
         this->scale_step_ = scale_.step_value();
         this->hints_.clear();
         restarted_ = false;
+        distances_.abandon();
         begin_renewal();
         go_on();
     }
@@ -351,7 +372,8 @@ private:
             case Chore::relabel: begin_search(); break;
             case Chore::levels:
                 level_bank_ = 0.0;
-                if (restarted_ || !scale_.goal_known()) {
+                levels_top_ = scale_.top();
+                if (restarted_) {
                     begin_chore(Chore::none);
                 } else {
                     this->queue_.clear();
@@ -360,7 +382,7 @@ private:
                 break;
             case Chore::restart: begin_chore(Chore::enqueue); break;
             default:
-                restarted_ = true;
+                restarted_ = scale_.goal_known();
                 this->budget_.grant(this->budget_.per_step() * this->model_.steps());
                 begin_chore(Chore::none);
                 Base::sweep();
@@ -459,6 +481,7 @@ private:
     double path_bank_ = 0.0;   // edge touches earned for paths, and what the last search took
     double path_cost_ = 0.0;
     double level_bank_ = 0.0;
+    double levels_top_ = 0.0;  // the best reward when levels were set
     double labelled_unit_ = 0.0;
     bool labelled_costs_ = false;
 };

@@ -94,6 +94,9 @@ public:
         return true;
     }
 
+    /// Gives a running search up; distances stay those of the last finished one.
+    void abandon() noexcept { searching_ = false; }
+
     [[nodiscard]] bool searching() const noexcept { return searching_; }
 
     /// Steps from s to the nearest goal, as of the last search that finished; `unknown` without a known path.
