@@ -75,7 +75,7 @@ TEST(Agent, LearnsInTheRobotsOwnLanguage) {
 
 TEST(Agent, SaysWhatItsLearnerSays) {
     Agent robot(floor_states(), drives());
-    Sspql<> learner(16, 4);
+    AdaptiveSspql<> learner(16, 4);
     auto states = floor_states();
     Scan at = start;
     Drive drive = robot.begin(at);
@@ -150,7 +150,7 @@ TEST(Agent, RefusedCallsChangeNothingThatWasLearnt) {
 }
 
 TEST(Agent, AbortsReplacesAndObserves) {
-    Agent robot(floor_states(), drives());
+    Agent robot(floor_states(), drives(), QLearningParams<>{});
     (void)robot.begin(start);
     robot.abort();
     EXPECT_FALSE(robot.learner().running());
