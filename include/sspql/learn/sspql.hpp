@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -113,9 +114,7 @@ class Sspql : public ValueLearner<Sspql<Policies>, Policies, SspqlParams<Policie
     using Base = ValueLearner<Sspql, Policies, SspqlParams<Policies>>;
     friend Base;
     friend Learner<Sspql, typename Policies::LegalActions>;
-    static_assert(is_queue_v<typename Policies::Queue>,
-                  "sspql: this Queue lacks one of prepare(n, least_cost, greatest_cost), push(vertex, key), "
-                  "decrease(vertex, key), pop() -> vertex, empty()");
+    static_assert(detail::QueueRequirements<typename Policies::Queue>::met);
 
 public:
     using Params = SspqlParams<Policies>;
@@ -235,7 +234,9 @@ private:
 
     Counts counts_;
     GoalBook goals_;
-    SspPlanner<typename Policies::Cost, typename Policies::Probability, typename Policies::Queue> planner_;
+    // A Queue that is none was refused above; that stays the only error.
+    using Queue = std::conditional_t<is_queue_v<typename Policies::Queue>, typename Policies::Queue, AutoQueue<>>;
+    SspPlanner<typename Policies::Cost, typename Policies::Probability, Queue> planner_;
     StepBudget budget_;
     std::uint64_t records_ = 0;
 };

@@ -57,8 +57,7 @@ enum class Solved {
 /// edge, 21 and the queue's a state; kept, so that a solve allocates only where something grew.
 template <class Cost, class Probability, class Queue>
 class PathSolver {
-    static_assert(is_queue_v<Queue>, "sspql: this Queue lacks one of prepare(n, least_cost, greatest_cost), "
-                                     "push(vertex, key), decrease(vertex, key), pop() -> vertex, empty()");
+    static_assert(detail::QueueRequirements<Queue>::met);
 
 public:
     /// \throws std::invalid_argument for a tolerance outside [0, 0.5].

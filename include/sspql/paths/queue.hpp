@@ -57,6 +57,18 @@ using Upcoming = decltype(std::uint32_t{std::declval<const Q&>().upcoming(std::s
 template <class Q>
 inline constexpr bool is_queue_v = detail::is_detected_v<detail::QueueExpressions, Q>;
 
+namespace detail {
+
+/// Says once, for all who use it, what a Queue lacks: `static_assert(detail::QueueRequirements<Queue>::met);`
+template <class Queue>
+struct QueueRequirements {
+    static_assert(is_queue_v<Queue>, "sspql: this Queue lacks one of prepare(n, least_cost, greatest_cost), "
+                                     "push(vertex, key), decrease(vertex, key), pop() -> vertex, empty()");
+    static constexpr bool met = true;
+};
+
+}  // namespace detail
+
 /// Whether Q takes no keys below the last popped one.
 template <class Q>
 inline constexpr bool is_monotone_only_v = detail::is_detected_v<detail::MonotoneOnly, Q>;

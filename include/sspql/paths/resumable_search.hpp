@@ -28,8 +28,7 @@ namespace sspql {
 /// Memory: 12 bytes an edge, 16 and the queue's a state.
 template <class Queue>
 class ResumableSearch {
-    static_assert(is_queue_v<Queue>, "sspql: this Queue lacks one of prepare(n, least_cost, greatest_cost), "
-                                     "push(vertex, key), decrease(vertex, key), pop() -> vertex, empty()");
+    static_assert(detail::QueueRequirements<Queue>::met);
 
 public:
     /// Begins a search over the states there are now, dropping an unfinished one. O(number of goals).

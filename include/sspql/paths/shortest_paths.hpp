@@ -168,8 +168,7 @@ SearchWork settle_all(const Graph& graph, Queue& queue, ShortestPathTree& tree) 
 /// untouched then.
 template <class Graph, class Queue>
 SearchWork shortest_paths_to(const Graph& graph, const std::vector<Goal>& goals, Queue& queue, ShortestPathTree& tree) {
-    static_assert(is_queue_v<Queue>, "sspql: this Queue lacks one of prepare(n, least_cost, greatest_cost), "
-                                     "push(vertex, key), decrease(vertex, key), pop() -> vertex, empty()");
+    static_assert(detail::QueueRequirements<Queue>::met);
     const std::size_t n = graph.size();
     detail::require_goals(goals, n);
     tree.distance.assign(n, std::numeric_limits<double>::infinity());
