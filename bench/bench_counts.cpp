@@ -239,7 +239,7 @@ Match recording(const SlipperyGrid& grid, bool explored, std::size_t turn, std::
 template <class F>
 std::uint64_t scan_all(std::uint32_t first, F&& scan) {
     std::uint64_t edges = 0;
-    for (std::uint32_t s = first; s < first + 1000; ++s) edges += scan(s);
+    for (std::uint32_t s = first; s < first + 1000; ++s) edges += static_cast<std::uint64_t>(scan(s));
     return edges;
 }
 
