@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <stdexcept>
 #include <vector>
 
@@ -146,7 +147,7 @@ TEST(AdaptiveSspql, HintsAreFollowedAndFade) {
 TEST(AdaptiveSspql, ADemonstratedWayIsWalkedAtOnce) {
     AdaptiveSspql<> learner(Room::states, Room::actions, {}, 4);
     StateId s = Room::at(0, 0);
-    for (const std::size_t a : {0, 2, 0, 2, 0, 2, 0, 2}) {
+    for (const std::size_t a : std::initializer_list<std::size_t>{0, 2, 0, 2, 0, 2, 0, 2}) {
         const StateId next = Room::moved(s, action_id(a));
         const bool home = next == Room::at(4, 4);
         learner.demonstrate({s, action_id(a), home ? 1.0 : 0.0, next, home});
