@@ -5,15 +5,15 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
-#include <sspql/core/step_budget.hpp>
 #include <sspql/learn/adaptive/goal_distances.hpp>
 #include <sspql/learn/adaptive/optimism_scale.hpp>
-#include <sspql/learn/adaptive/optimistic_planner.hpp>
+#include <sspql/learn/adaptive/plan_renewal.hpp>
 #include <sspql/learn/adaptive/retrace.hpp>
 #include <sspql/learn/adaptive_params.hpp>
 #include <sspql/learn/transition.hpp>
@@ -46,16 +46,16 @@ struct AdaptiveStatus {
 /// once; what they are worth follows from their offsets, in steps, and rewards for ending elsewhere count no more, unless
 /// they are negative. Steps told by observe() count into the running episode's cost.
 /// LegalActions of your own are read when a state is visited.
-/// A step is O(|A| x outcomes + budget x log n) on average. No call touches more edges than a `slice`, the outcomes of the
-/// state it is about and one piece of work more (the edges of one state; those of up to 200 states whose paths are due),
-/// however many states there are: work that comes due all at once (the first goal, told goals, new paths) is spread over
-/// the steps that follow. When a search begins, arrays of 17 bytes a state are cleared at memory speed, and 8 bytes an
-/// (s,a) when a first or told goal is planned for. After reserve() nothing is allocated, except for masks, hints, the first weight other than 1, and
-/// beyond what TransitionCounts reserves.
+/// A step is O(|A| x outcomes + budget x log n) on average. No call touches more edges than a `slice`, the outcomes of
+/// the state it is about and one piece of work more (the edges of one state; those of up to 200 states whose paths are
+/// due), however many states there are: work that comes due all at once is spread over the steps that follow
+/// (PlanRenewal). When a search begins, arrays of 17 bytes a state are cleared at memory speed, and 8 bytes an (s,a) when
+/// a first or told goal is planned for. After reserve() nothing is allocated, except for masks, hints, the first weight
+/// other than 1, and beyond what TransitionCounts reserves.
 template <class Policies = AdaptivePolicies>
-class AdaptiveSspql : public OptimisticPlanner<AdaptiveSspql<Policies>, Policies, AdaptiveParams<Policies>> {
-    using Base = OptimisticPlanner<AdaptiveSspql, Policies, AdaptiveParams<Policies>>;
-    friend Base;
+class AdaptiveSspql : public PlanRenewal<AdaptiveSspql<Policies>, Policies, AdaptiveParams<Policies>> {
+    using Base = PlanRenewal<AdaptiveSspql, Policies, AdaptiveParams<Policies>>;
+    friend OptimisticPlanner<AdaptiveSspql, Policies, AdaptiveParams<Policies>>;
     friend Learner<AdaptiveSspql, typename Policies::LegalActions>;
 
 public:
@@ -63,23 +63,12 @@ public:
 
     /// \throws std::invalid_argument for no states or actions, more than 65535 actions, or parameters out of range.
     AdaptiveSspql(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
-        : Base(states, actions, checked(std::move(params), actions), seed),
-          scale_(this->params_.gamma, this->params_.optimism),
-          distances_(states.initial()),
-          retrace_(states.initial(), actions),
-          leads_out_(states.initial(), 0) {
-        this->scale_step_ = scale_.step_value();
-    }
+        : Base(states, actions, checked(std::move(params), actions), seed), retrace_(states.initial(), actions) {}
 
     /// Room for `states` states and `pairs` distinct (s,s') in all (0: five a state).
     void reserve(std::size_t states, std::size_t pairs = 0) {
         Base::reserve_tables(states, pairs == 0 ? 5 * states : pairs);
-        distances_.reserve(states);
         retrace_.reserve(states);
-        leads_out_.reserve(states);
-        order_.reserve(states);
-        exits_.reserve(states);
-        seeds_.reserve(states);
     }
 
     /// Why: Q(s,a), or what is hoped of an action never tried; the bonus for seldom tried ones; a trainer's hint. The
@@ -115,9 +104,9 @@ public:
     [[nodiscard]] const OptimismScale& scale() const noexcept { return scale_; }
 
 private:
-    /// What is being done, a slice a call: new paths are searched, levels of optimism set by them; at the first goal all
-    /// values start anew from the levels and are queued for a backup, which works like a search from the goal.
-    enum class Chore { none, relabel, search, levels, restart, enqueue };
+    using Base::distances_;
+    using Base::order_;
+    using Base::scale_;
 
     static Params checked(Params params, std::size_t actions) {
         params.validate();
@@ -127,20 +116,10 @@ private:
 
     void add_states(std::size_t n) {
         Base::add_states(n);
-        distances_.grow(n);
         retrace_.grow(n);
-        leads_out_.resize(n, 0);
     }
 
     // --- what was not tried ---
-
-    void set_level(StateId s) {
-        const double path = this->params_.bound_by_paths ? distances_.distance(s) : 0.0;
-        const OptimismScale::Level level = scale_.level(path);
-        this->at(s).here = level.here;
-        this->at(s).ahead = level.ahead;
-        this->at(s).reach = scale_.reach(path);
-    }
 
     /// Before a goal is known an action that probably leads back where the agent came from attracts a little less.
     [[nodiscard]] double untried_worth(StateId s, ActionId a, double level) const noexcept {
@@ -172,7 +151,7 @@ private:
         this->at(s).seen = true;
         order_.push_back(s);
         if (from != no_state) distances_.set_distance(s, distances_.distance(from));
-        set_level(s);
+        Base::set_level(s);
         Base::count_actions(s);
         Base::renew_best(s);
     }
@@ -238,17 +217,15 @@ private:
         this->scale_step_ = scale_.step_value();
         this->visits_.add(s, t.action);
         retrace_.observe(t);
-        if (t.terminated || told) remember_exit(s);
+        if (t.terminated || told) Base::remember_exit(s);
         if (first) Base::count_actions(s);
         if (scale_.costs() != costs) {
-            rescale();
-            go_on();  // before anything is backed up from levels that hold no longer
+            Base::rescale();
+            Base::go_on();  // before anything is backed up from levels that hold no longer
             before = this->at(s).value;
         }
 
-        this->budget_.earn();
-        path_bank_ += this->params_.path_budget;
-        level_bank_ += this->params_.path_budget;
+        Base::earn();
         this->q_(s, t.action) = Base::backup(s, t.action);
         Base::for_each_legal(s, [&](ActionId b) {
             if (b != t.action && this->model_.tried(s, b)) this->q_(s, b) = Base::backup(s, b);
@@ -257,19 +234,8 @@ private:
         Base::pass_on(s, before);
         if (first && !scale_.goal_known()) look_back(t.next);
         Base::sweep();
-        if (!t.terminated && !told) follow_income();
-        go_on();
-    }
-
-    /// What was collected on the way grew, in an episode that may never end.
-    void follow_income() {
-        if (chore_ != Chore::none || !scale_.goal_known()) return;
-        if (!(std::fabs(scale_.top() - levels_top_) > 0.1 * std::fabs(scale_.top()))) return;
-        if (!restarted_) {
-            begin_renewal();
-        } else if (level_bank_ >= static_cast<double>(order_.size())) {
-            begin_chore(Chore::levels);
-        }
+        if (!t.terminated && !told) Base::follow_income();
+        Base::go_on();
     }
 
     /// By entering s the agent may have learnt that an untried action there leads back.
@@ -280,25 +246,15 @@ private:
         Base::pass_on(s, before);
     }
 
-    void remember_exit(StateId s) {
-        if (leads_out_[index(s)] != 0) return;
-        leads_out_[index(s)] = 1;
-        exits_.push_back(s);
-    }
-
-    /// Steps turned out to cost, or not: what is known so far is few states, as a rule.
-    void rescale() {
-        this->goals_.renew(scale_);
-        if (chore_ == Chore::none) begin_chore(Chore::levels);
-    }
-
     void episode_ended() {
+        const bool costs = scale_.costs();
         scale_.end_episode();
         retrace_.begin_episode();
         this->scale_step_ = scale_.step_value();
         if (scale_.goal_known()) this->model_.doubt_few();
-        if (chore_ == Chore::none && scale_.goal_known()) begin_renewal();
-        go_on();
+        if (scale_.costs() != costs) Base::rescale();
+        Base::renew();
+        Base::go_on();
     }
 
     void goals_changed(const std::vector<Goal>& goals) {
@@ -310,180 +266,16 @@ private:
         }
         this->goals_.set(goals, scale_);
         for (const Goal& goal : goals) {
-            this->model_.counts().for_each_predecessor(goal.state, [this](StateId s, double) { remember_exit(s); });
+            this->model_.counts().for_each_predecessor(goal.state,
+                                                       [this](StateId s, double) { Base::remember_exit(s); });
         }
         this->scale_step_ = scale_.step_value();
         this->hints_.clear();
-        restarted_ = false;
-        distances_.abandon();
-        begin_renewal();
-        go_on();
+        Base::start_over();
+        Base::go_on();
     }
 
-    // --- chores ---
-
-    void begin_chore(Chore chore) {
-        chore_ = chore;
-        cursor_ = 0;
-    }
-
-    void begin_renewal() {
-        if (this->params_.bound_by_paths && (!restarted_ || path_bank_ >= path_cost_)) {
-            path_bank_ = 0.0;
-            path_cost_ = 0.0;
-            const bool rescaled = labelled_costs_ != scale_.costs() || (scale_.costs() && labelled_unit_ != scale_.unit());
-            labelled_costs_ = scale_.costs();
-            labelled_unit_ = scale_.unit();
-            if (rescaled) return begin_chore(Chore::relabel);
-            begin_search();
-        } else if (!restarted_ || level_bank_ >= static_cast<double>(order_.size())) {
-            begin_chore(Chore::levels);
-        }
-    }
-
-    void go_on() {
-        if (this->params_.bound_by_paths && !distances_.searching() && this->model_.counts().dirty().size() >= most_dirty) {
-            charge(distances_.refresh(this->model_.counts(), step_cost()));
-        }
-        while (chore_ != Chore::none && !Base::call_over()) {
-            switch (chore_) {
-                case Chore::search: search(this->call_ends_ - this->operations_); break;
-                case Chore::none: break;
-                default: next_state(); break;
-            }
-        }
-    }
-
-    /// The chore's next state, or the next chore.
-    void next_state() {
-        if (cursor_ == order_.size()) return finish();
-        const StateId s = order_[cursor_++];
-        ++this->operations_;
-        switch (chore_) {
-            case Chore::relabel: charge(distances_.relabel(this->model_.counts(), s, step_cost())); break;
-            case Chore::levels: renew_level(s); break;
-            case Chore::restart: restart(s); break;
-            default: enqueue(s); break;
-        }
-    }
-
-    void finish() {
-        switch (chore_) {
-            case Chore::relabel: begin_search(); break;
-            case Chore::levels:
-                level_bank_ = 0.0;
-                levels_top_ = scale_.top();
-                if (restarted_) {
-                    begin_chore(Chore::none);
-                } else {
-                    this->queue_.clear();
-                    begin_chore(Chore::restart);
-                }
-                break;
-            case Chore::restart: begin_chore(Chore::enqueue); break;
-            default:
-                restarted_ = scale_.goal_known();
-                this->budget_.grant(this->budget_.per_step() * this->model_.steps());
-                begin_chore(Chore::none);
-                Base::sweep();
-                break;
-        }
-    }
-
-    void renew_level(StateId s) {
-        const double before = this->at(s).value;
-        set_level(s);
-        Base::renew_value(s);
-        if (restarted_) Base::pass_on(s, before);
-    }
-
-    /// Q(s,.) as if nothing but the next step were known.
-    void restart(StateId s) {
-        for (std::size_t i = 0; i < Base::actions(); ++i) {
-            const ActionId a = action_id(i);
-            if (!this->model_.tried(s, a)) continue;
-            const auto sums = Base::sum_outcomes(s, a, [this](StateId next) { return this->at(next).ahead; });
-            this->q_(s, a) = (sums.value + this->params_.gamma * sums.staying * this->at(s).ahead) /
-                             this->model_.counts().n(s, a);
-        }
-        Base::renew_best(s);
-    }
-
-    void enqueue(StateId s) {
-        for (std::size_t i = 0; i < Base::actions(); ++i) {
-            const ActionId a = action_id(i);
-            if (!this->model_.tried(s, a)) continue;
-            const double off = std::fabs(Base::backup(s, a) - this->q_(s, a));
-            if (off > 0.0) this->queue_.raise(s, a, off);
-        }
-    }
-
-    // --- paths ---
-
-    [[nodiscard]] auto step_cost() const {
-        const bool costs = scale_.costs();
-        const double unit = scale_.unit();
-        return [costs, unit](double mean_reward) { return costs ? std::max(1.0, -mean_reward / unit) : 1.0; };
-    }
-
-    void begin_search() {
-        charge(distances_.refresh(this->model_.counts(), step_cost()));
-        find_seeds();
-        distances_.start(seeds_);
-        chore_ = Chore::search;
-    }
-
-    void search(std::uint64_t edges) {
-        StepBudget budget(edges, edges);
-        budget.earn();
-        const std::size_t before = distances_.work();
-        const bool finished = distances_.advance(this->model_.counts(), budget);
-        charge(distances_.work() - before);
-        if (finished) begin_chore(Chore::levels);
-    }
-
-    /// The states from which an episode ended well, and how far the end is from there.
-    void find_seeds() {
-        seeds_.clear();
-        for (const StateId s : exits_) {
-            double least = GoalDistances::unknown;
-            this->model_.counts().for_each_successor(s, [&](const auto& successor) {
-                const bool told = this->goals_.contains(successor.state());
-                successor.for_each_action([&](ActionId a, const FadingCell& cell) {
-                    if (cell.n < 0.5 || !(told || cell.terminal())) return;
-                    const double reward = told ? this->goals_.worth(successor.state()) : cell.mean_reward();
-                    if (!told && (!this->goals_.empty() || !scale_.counts_as_goal(reward))) return;
-                    const double steps = std::max(0.0, scale_.cost_of(reward)) + (scale_.costs() ? 0.0 : 1.0);
-                    least = std::min(least, steps * this->model_.counts().n(s, a) / cell.n);
-                });
-            });
-            if (least < GoalDistances::unknown) seeds_.push_back({s, least});
-        }
-    }
-
-    void charge(std::size_t edges) noexcept {
-        this->operations_ += edges;
-        path_cost_ += static_cast<double>(edges);
-    }
-
-    static constexpr std::size_t most_dirty = 200;  // states whose labels may wait
-
-    OptimismScale scale_;
-    GoalDistances distances_;
     Retrace retrace_;
-    std::vector<StateId> order_;           // states in the order they were seen
-    std::vector<std::uint8_t> leads_out_;  // whether an episode ended from there
-    std::vector<StateId> exits_;           // those
-    std::vector<Goal> seeds_;
-    Chore chore_ = Chore::none;
-    std::size_t cursor_ = 0;
-    bool restarted_ = false;
-    double path_bank_ = 0.0;   // edge touches earned for paths, and what the last search took
-    double path_cost_ = 0.0;
-    double level_bank_ = 0.0;
-    double levels_top_ = 0.0;  // the best reward when levels were set
-    double labelled_unit_ = 0.0;
-    bool labelled_costs_ = false;
 };
 
 }  // namespace sspql
