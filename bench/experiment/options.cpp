@@ -204,7 +204,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
     }
 }
 
-int run_program(const char* program, int (*body)(int, char**), int argc, char** argv) {
+int run_program(const char* program, const std::function<int(int, char**)>& body, int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);  // a file size limit is an error to report, not a way to die
     try {
         return body(argc, argv);

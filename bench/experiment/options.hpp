@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -79,6 +80,6 @@ private:
 
 /// Runs a program's body: what it returns is the exit status; an exception becomes one line "PROGRAM: what" on stderr
 /// and exit status 2.
-int run_program(const char* program, int (*body)(int, char**), int argc, char** argv);
+int run_program(const char* program, const std::function<int(int, char**)>& body, int argc, char** argv);
 
 }  // namespace sspql::experiment

@@ -7,7 +7,7 @@
 #include <limits>
 #include <vector>
 
-#include "planning_floor.hpp"
+#include "grid_task.hpp"
 
 /// \file
 /// Counting written by hand for one task, a grid with four actions: what bench_counts holds TransitionCounts against.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -12,7 +11,8 @@
 #include <vector>
 
 #include <benchmark/benchmark.h>
-#include <time.h>
+
+#include "clock.hpp"
 
 /// \file
 /// Rivals that take turns in one process, for benchmarks whose answer is a ratio: times drift on a busy machine, ratios
@@ -34,23 +34,6 @@ struct Match {
     std::vector<std::pair<std::string, double>> facts = {};     ///< measured once: bytes, sizes
 };
 
-namespace detail {
-
-inline double cpu_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-inline double median(std::vector<double> values) {
-    if (values.empty()) return 0.0;
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    return *middle;
-}
-
-}  // namespace detail
-
 /// All matches of a program: registers them with Google Benchmark, keeps what came out, prints it. A match is made when
 /// its turn comes and dropped for the next one's.
 class Tournament {
@@ -60,14 +43,15 @@ public:
         results_.push_back(std::make_unique<Result>());
         Result& result = *results_.back();
         result.name = name;
-        auto* registered = benchmark::RegisterBenchmark(name.c_str(), [this, make = std::move(make), &result](benchmark::State& state) {
-            if (playing_ != &result) {
-                match_.reset();
-                match_ = std::make_unique<Match>(make());
-                playing_ = &result;
-            }
-            play(state, result);
-        });
+        auto* registered = benchmark::RegisterBenchmark(
+            name.c_str(), [this, make = std::move(make), &result](benchmark::State& state) {
+                if (playing_ != &result) {
+                    match_.reset();
+                    match_ = std::make_unique<Match>(make());
+                    playing_ = &result;
+                }
+                play(state, result);
+            });
         registered->UseManualTime()->Unit(benchmark::kMicrosecond);
         if (turns > 0) {
             registered->Iterations(turns);
@@ -80,10 +64,10 @@ public:
         std::fprintf(stderr, "\n%-40s %10s   %s\n", "ns per operation, medians", "library", "others (library / other)");
         for (const auto& result : results_) {
             if (result->ns.empty()) continue;
-            std::fprintf(stderr, "%-40s %10.1f  ", result->name.c_str(), detail::median(result->ns[0]));
+            std::fprintf(stderr, "%-40s %10.1f  ", result->name.c_str(), median(result->ns[0]));
             for (std::size_t i = 1; i < result->ns.size(); ++i) {
-                std::fprintf(stderr, " %s %.1f (%.2f)", result->names[i].c_str(), detail::median(result->ns[i]),
-                             detail::median(result->ratio[i]));
+                std::fprintf(stderr, " %s %.1f (%.2f)", result->names[i].c_str(), median(result->ns[i]),
+                             median(result->ratio[i]));
             }
             for (const auto& [fact, value] : result->facts) std::fprintf(stderr, " %s %.4g", fact.c_str(), value);
             std::fprintf(stderr, "%s\n", result->disagreement <= 1e-12 ? "" : " THEY DISAGREE");
@@ -95,7 +79,7 @@ public:
         std::vector<double> medians;
         for (const auto& result : results_) {
             if (result->name != name) continue;
-            for (const std::vector<double>& ns : result->ns) medians.push_back(detail::median(ns));
+            for (const std::vector<double>& ns : result->ns) medians.push_back(median(ns));
         }
         return medians;
     }
@@ -133,9 +117,9 @@ private:
             bool idle = false;  // somebody found nothing to do
             for (std::size_t k = 0; k < rivals; ++k) {
                 const std::size_t i = (k + turn_) % rivals;
-                const double start = detail::cpu_seconds();
+                const double start = cpu_seconds();
                 const std::uint64_t done = match_->rivals[i].work();
-                seconds[i] = detail::cpu_seconds() - start;
+                seconds[i] = cpu_seconds() - start;
                 ns[i] = 1e9 * seconds[i] / static_cast<double>(done);
                 idle = idle || done == 0;
             }
@@ -150,8 +134,8 @@ private:
         if (!(result.disagreement <= 1e-12)) state.SkipWithError("the rivals disagree");
         result.facts = match_->facts;
         for (std::size_t i = 0; i < rivals; ++i) {
-            state.counters[result.names[i] + "_ns"] = detail::median(result.ns[i]);
-            if (i > 0) state.counters["ratio_" + result.names[i]] = detail::median(result.ratio[i]);
+            state.counters[result.names[i] + "_ns"] = median(result.ns[i]);
+            if (i > 0) state.counters["ratio_" + result.names[i]] = median(result.ratio[i]);
         }
         for (const auto& [fact, value] : result.facts) state.counters[fact] = value;
     }

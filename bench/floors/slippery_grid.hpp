@@ -8,7 +8,7 @@
 
 #include <sspql/core/random.hpp>
 
-#include "planning_floor.hpp"
+#include "grid_task.hpp"
 
 namespace sspql::floors {
 
@@ -37,11 +37,11 @@ public:
         return other < action ? other : other + 1;
     }
 
-    /// Calls f(Step) for `tries` tries of every (s,a), without rewards. The steps of a state come ordered by outcome,
+    /// Calls f(Step) for `times` tries of every (s,a), without rewards. The steps of a state come ordered by outcome,
     /// then action, so that everybody who lists outcomes and predecessors as they turn up lists them in one order.
     template <class F>
-    void explore(std::uint32_t tries, std::uint64_t seed, F&& f) const {
-        Random random(seed, RandomStream::noise);
+    void explore(std::uint32_t times, std::uint64_t from, F&& f) const {
+        Random random(from, RandomStream::noise);
         for (std::uint32_t s = 0; s + 1 < states(); ++s) {
             std::array<std::array<std::uint32_t, actions>, 4> count{};  // [outcome][action]
             std::array<std::uint32_t, 4> outcome{};
@@ -54,7 +54,7 @@ public:
                 place[d] = i;
             }
             for (std::uint32_t a = 0; a < actions; ++a) {
-                for (std::uint32_t k = 0; k < tries; ++k) ++count[place[direction(a, random)]][a];
+                for (std::uint32_t k = 0; k < times; ++k) ++count[place[direction(a, random)]][a];
             }
             for (std::uint32_t i = 0; i < outcomes; ++i) {
                 for (std::uint32_t a = 0; a < actions; ++a) {
@@ -69,6 +69,15 @@ public:
 private:
     std::uint32_t columns_;
     std::uint32_t rows_;
+};
+
+/// A size at which something is measured, and its name in the tables.
+struct GridSize {
+    const char* name;
+    std::uint32_t columns;
+    std::uint32_t rows;
+
+    [[nodiscard]] SlipperyGrid grid() const { return {columns, rows}; }
 };
 
 }  // namespace sspql::floors

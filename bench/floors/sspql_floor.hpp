@@ -10,7 +10,7 @@
 #include <sspql/core/random.hpp>
 
 #include "counts_floor.hpp"
-#include "planning_floor.hpp"
+#include "grid_task.hpp"
 
 namespace sspql::floors {
 

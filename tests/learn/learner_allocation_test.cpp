@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Replaces operator new for the whole program: nothing else may stand here.
+// What a learner allocates once it has its memory: nothing.
 #include <sspql/learn/learner.hpp>
 
-#include <atomic>
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 
+#include "counting_new.hpp"
 #include "learn/learner_testing.hpp"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-    ++allocations;
-    if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
-    throw std::bad_alloc();
-}
-void* operator new[](std::size_t bytes) { return ::operator new(bytes); }
-// Not inlined: g++ takes a visible free() of what new returned for a mistake.
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete[](void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 using namespace sspql;
 using namespace sspql::testing;
+using sspql_test::allocations;
 
 template <class L>
 class LearnerAllocation : public ::testing::Test {};

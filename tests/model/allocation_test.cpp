@@ -1,38 +1,19 @@
 // SPDX-License-Identifier: MIT
-// After reserve(), recording does not allocate. This file replaces operator new of the whole test program to count; what
-// takes its zeros from calloc shows in bytes().
+// After reserve(), recording does not allocate.
 #include <sspql/model/transition_counts.hpp>
 
-#include <atomic>
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 
 #include <gtest/gtest.h>
 
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-    ++allocations;
-    if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
-    throw std::bad_alloc();
-}
-void* operator new[](std::size_t bytes) { return ::operator new(bytes); }
-// Not inlined: g++ takes a visible free() of what new returned for a mistake.
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete[](void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
+#include "counting_new.hpp"
 
 using sspql::action_id;
 using sspql::CountCell;
 using sspql::FadingCell;
 using sspql::state_id;
 using sspql::TransitionCounts;
+using sspql_test::allocations;
 
 namespace {
 

@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Solving again and again allocates nothing. Replaces operator new of the whole test program to count.
+// Solving again and again allocates nothing.
 #include <sspql/paths/ssp_planner.hpp>
 
-#include <atomic>
 #include <cstddef>
-#include <cstdlib>
-#include <new>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -14,28 +11,12 @@
 #include <sspql/paths/fibonacci_heap.hpp>
 #include <sspql/spaces/legal_actions.hpp>
 
+#include "counting_new.hpp"
 #include "paths/learnt_grid.hpp"
-
-namespace {
-
-std::atomic<std::size_t> allocations{0};
-
-}  // namespace
-
-void* operator new(std::size_t bytes) {
-    ++allocations;
-    if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
-    throw std::bad_alloc();
-}
-void* operator new[](std::size_t bytes) { return ::operator new(bytes); }
-// Not inlined: g++ takes a visible free() of what new returned for a mistake.
-[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete[](void* memory) noexcept { std::free(memory); }
-[[gnu::noinline]] void operator delete[](void* memory, std::size_t) noexcept { std::free(memory); }
 
 using namespace sspql;
 using namespace sspql::testing;
+using sspql_test::allocations;
 
 namespace {
 

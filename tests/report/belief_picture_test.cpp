@@ -7,15 +7,10 @@
 #include <vector>
 
 #include "report/belief_picture.hpp"
+#include "report/occurrences.hpp"
 
 namespace sspql::report {
 namespace {
-
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t n = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-    return n;
-}
 
 /// ". . G" over "# . .": the first cell would try up, the second goes right; the last was never seen.
 BeliefPanel small() {

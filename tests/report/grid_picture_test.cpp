@@ -6,17 +6,12 @@
 #include <string>
 
 #include "report/grid_picture.hpp"
+#include "report/occurrences.hpp"
 
 namespace sspql::report {
 namespace {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t n = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-    return n;
-}
 
 /// "S.#" over "H.G"; the two free cells hold 0 and 8.
 GridPicture small() {

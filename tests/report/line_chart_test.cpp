@@ -8,15 +8,10 @@
 
 #include "report/axis.hpp"
 #include "report/line_chart.hpp"
+#include "report/occurrences.hpp"
 
 namespace sspql::report {
 namespace {
-
-std::size_t count(const std::string& text, const std::string& part) {
-    std::size_t n = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++n;
-    return n;
-}
 
 LineChart chart_of(std::vector<Series> series) {
     LineChart chart;

@@ -25,7 +25,7 @@ namespace sspql {
 /// passes. They keep their capacity, so that a further search allocates only where it outgrows the earlier ones.
 /// `counters()` holds what Counters counted.
 template <class Counters = NoCounters>
-class BucketQueue : private Counters {
+class BucketQueue : public detail::QueuedVertices, private Counters {
 public:
     static constexpr bool monotone_only = true;
     static constexpr bool corrects_labels = true;
@@ -41,9 +41,6 @@ public:
         ring_.prepare(n, size_ != 0, static_cast<std::size_t>(reach) + 2, width);
         size_ = 0;
     }
-
-    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-    [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
     void push(std::uint32_t vertex, double key) {
         Counters::count_push();
@@ -92,7 +89,6 @@ private:
     using Ring = detail::BucketRing<std::uint32_t>;
 
     Ring ring_;
-    std::size_t size_ = 0;
 };
 
 }  // namespace sspql

@@ -158,4 +158,14 @@ private:
     bool loading_ = true;
 };
 
+/// How many vertices a queue over a BucketRing holds: the ring itself cannot tell, as it holds stale entries too.
+class QueuedVertices {
+public:
+    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    [[nodiscard]] std::size_t size() const noexcept { return size_; }
+
+protected:
+    std::size_t size_ = 0;
+};
+
 }  // namespace sspql::detail

@@ -22,7 +22,7 @@ namespace sspql {
 /// Memory: 2 bytes a vertex, 16 an entry (as in BucketQueue), and the inner queue's.
 /// `counters()` holds what Counters counted here, `inner().counters()` what the inner queue counted.
 template <class Inner = FibonacciHeap<>, class Counters = NoCounters>
-class RingQueue : private Counters {
+class RingQueue : public detail::QueuedVertices, private Counters {
     static_assert(is_queue_v<Inner>, "sspql: a RingQueue's Inner must be a Queue");
 
 public:
@@ -33,9 +33,6 @@ public:
         inner_.prepare(n, least_cost, greatest_cost);
         size_ = 0;
     }
-
-    [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
-    [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
     void push(std::uint32_t vertex, double key) {
         Counters::count_push();
@@ -99,7 +96,6 @@ private:
 
     Ring ring_;
     Inner inner_;
-    std::size_t size_ = 0;
 };
 
 }  // namespace sspql
