@@ -14,13 +14,9 @@ namespace sspql::report {
 /// \throws std::runtime_error "cannot write PATH: REASON".
 void require_writable(const std::string& path);
 
-/// Makes `text` the content of `path`: written to a new file in the same directory, synchronised, then renamed, so that
-/// a reader sees the old content or the new one, never a part. An existing file keeps its permission bits, a symbolic
-/// link stays a link (its target is replaced), a device or pipe (/dev/stdout) is written to directly.
+/// Makes `text` the content of `path`, whole or not at all: see AtomicFile.
 ///
 /// \throws std::runtime_error "cannot write PATH: REASON"; the old content is then untouched and no new file is left.
-/// A process that a signal ends meanwhile (SIGXFSZ included, unless it is ignored) may leave the new file, whose name
-/// starts with ".sspql-", but never changes `path`.
 void write_file(const std::string& path, const std::string& text);
 
 }  // namespace sspql::report

@@ -12,6 +12,7 @@
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/core/random.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/core/step_budget.hpp>
 #include <sspql/core/version.hpp>
 
@@ -81,7 +82,14 @@
 #include <sspql/env/tabular_environment.hpp>
 #include <sspql/env/time_limit.hpp>
 
+// io: what was learnt, in files
+#include <sspql/io/checkpoint.hpp>
+#include <sspql/io/logged.hpp>
+#include <sspql/io/replay.hpp>
+#include <sspql/io/step_log.hpp>
+
 // run: episodes, threads, statistics
+#include <sspql/run/checkpoint_every.hpp>
 #include <sspql/run/episode.hpp>
 #include <sspql/run/parallel.hpp>
 #include <sspql/run/statistics.hpp>

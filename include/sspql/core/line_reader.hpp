@@ -53,7 +53,8 @@ public:
             if (line_.size() > max_line_ || (line_.size() == max_line_ && c != '\r')) fail_too_long();
             line_.push_back(static_cast<char>(c));
         }
-        if (c == '\n' && !line_.empty() && line_.back() == '\r') line_.pop_back();
+        ended_ = c == '\n';
+        if (ended_ && !line_.empty() && line_.back() == '\r') line_.pop_back();
         if (line_.size() > max_line_) fail_too_long();
         if (number_ == 1 && line_.compare(0, 3, "\xEF\xBB\xBF") == 0) line_.erase(0, 3);
         return true;
@@ -64,6 +65,9 @@ public:
 
     /// The current line's number; 0 before the first next(), and for an empty input.
     [[nodiscard]] std::size_t number() const noexcept { return number_; }
+
+    /// Whether the current line has an end. The input's last line may have none, as where it was cut off.
+    [[nodiscard]] bool ended() const noexcept { return ended_; }
 
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
@@ -99,6 +103,7 @@ private:
     std::string line_;
     std::size_t max_line_;
     std::size_t number_ = 0;
+    bool ended_ = false;
 };
 
 /// The file, opened for reading. \throws std::runtime_error "PATH: cannot be opened".

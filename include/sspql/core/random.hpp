@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include <sspql/core/assert.hpp>
+#include <sspql/core/serialization.hpp>
 
 namespace sspql {
 
@@ -104,6 +105,14 @@ public:
     double normal(double mean, double deviation) noexcept { return mean + deviation * normal(); }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(state_);
+        archive.require((state_[0] | state_[1] | state_[2] | state_[3]) != 0, "the random generator is all zeros");
+    }
+
     static std::uint64_t rotate(std::uint64_t x, int k) noexcept { return (x << k) | (x >> (64 - k)); }
 
     static std::uint64_t splitmix(std::uint64_t& x) noexcept {

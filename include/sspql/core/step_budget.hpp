@@ -6,6 +6,7 @@
 #include <limits>
 
 #include <sspql/core/errors.hpp>
+#include <sspql/core/serialization.hpp>
 
 namespace sspql {
 
@@ -49,6 +50,17 @@ public:
     [[nodiscard]] std::uint64_t bank() const noexcept { return bank_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(per_step_, bank_, balance_);
+        const bool sound = per_step_ != 0 && per_step_ <= bank_ && bank_ <= most &&
+                           balance_ <= std::numeric_limits<std::int64_t>::max() / 2 &&
+                           balance_ >= std::numeric_limits<std::int64_t>::min() / 2;
+        archive.require(sound, "a budget of planning is out of range");
+    }
+
     static constexpr std::uint64_t most = 1'000'000'000'000'000;
 
     [[nodiscard]] std::int64_t limit() const noexcept { return static_cast<std::int64_t>(bank_); }

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <fstream>
 #include <istream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -94,13 +95,14 @@ private:
         if (header_read_) lines_.fail(1, "start states must be given before the header");
         if (!starts_.empty()) lines_.fail(1, "start states are given twice");
         for (const Field& field : split({rest.text.substr(key.size()), rest.column + key.size()})) {
-            const std::size_t s = id(field, "start state", most_states);
-            const auto same = [s](const Start& other) { return other.s == s; };
-            if (std::any_of(starts_.begin(), starts_.end(), same)) {
-                lines_.fail(field.column, "start state " + std::to_string(s) + " is given twice");
-            }
-            starts_.push_back({s, lines_.number(), field.column});
+            starts_.push_back({id(field, "start state", most_states), lines_.number(), field.column});
         }
+        std::vector<Start> sorted = starts_;
+        std::stable_sort(sorted.begin(), sorted.end(), [](const Start& x, const Start& y) { return x.s < y.s; });
+        const auto twice = std::adjacent_find(sorted.begin(), sorted.end(),
+                                              [](const Start& x, const Start& y) { return x.s == y.s; });
+        if (twice == sorted.end()) return;
+        lines_.fail(std::next(twice)->column, "start state " + std::to_string(twice->s) + " is given twice");
     }
 
     void read_header(std::string_view line) {

@@ -10,6 +10,7 @@
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/core/random.hpp>
+#include <sspql/core/serialization.hpp>
 
 /// \file
 /// Selector (concept): chooses an action by its score. A learner hands it the weighted sum of eq. 8 without eps; the
@@ -80,6 +81,8 @@ inline constexpr bool has_expectation_v = detail::is_detected_convertible_v<doub
 /// ever.
 class ActionSelector {
 public:
+    static constexpr const char* type_name = "uniform noise";
+
     explicit ActionSelector(double noise = 0.01) : noise_(require_positive("noise", noise)) {}
 
     template <class Allowed, class Score>
@@ -118,6 +121,14 @@ public:
     [[nodiscard]] double noise() const noexcept { return noise_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(noise_);
+        require_positive("noise", noise_);
+    }
+
     template <class Contends, class Score>
     [[nodiscard]] double chance_to_win(ActionId a, std::size_t actions, const Contends& contends, const Score& score,
                                        double from) const {
@@ -156,6 +167,8 @@ private:
 /// \throws std::invalid_argument for an epsilon outside [0, 1].
 class EpsilonGreedy {
 public:
+    static constexpr const char* type_name = "epsilon greedy";
+
     explicit EpsilonGreedy(double epsilon = 0.1) : epsilon_(require_in("epsilon", epsilon, 0.0, 1.0)) {}
 
     template <class Allowed, class Score>
@@ -203,6 +216,14 @@ public:
     [[nodiscard]] double epsilon() const noexcept { return epsilon_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(epsilon_);
+        require_in("epsilon", epsilon_, 0.0, 1.0);
+    }
+
     double epsilon_;
 };
 
@@ -211,6 +232,8 @@ private:
 /// \throws std::invalid_argument for a temperature that is not > 0 and finite.
 class Boltzmann {
 public:
+    static constexpr const char* type_name = "boltzmann";
+
     explicit Boltzmann(double temperature = 0.1) : temperature_(require_positive("temperature", temperature)) {}
 
     template <class Allowed, class Score>
@@ -254,6 +277,14 @@ public:
     [[nodiscard]] double temperature() const noexcept { return temperature_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(temperature_);
+        require_positive("temperature", temperature_);
+    }
+
     double temperature_;
 };
 

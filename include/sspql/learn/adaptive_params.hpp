@@ -45,6 +45,14 @@ struct AdaptiveParams {
     typename Policies::Selector selector{};
     typename Policies::LegalActions legal_actions{};
 
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(gamma, budget, threshold, optimism, bound_by_paths, path_budget, slice, trust, change, bonus, bonus_scale,
+                retrace, hint_fading);
+        archive.policy("selector", selector);
+        archive.policy("legal actions", legal_actions);
+    }
+
     /// \throws std::invalid_argument naming the first number out of range.
     void validate() const {
         require_in("gamma", gamma, 0.01, 0.999999);

@@ -11,6 +11,7 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/adaptive/goal_distances.hpp>
 #include <sspql/learn/adaptive/optimism_scale.hpp>
 #include <sspql/learn/adaptive/plan_renewal.hpp>
@@ -57,9 +58,11 @@ class AdaptiveSspql : public PlanRenewal<AdaptiveSspql<Policies>, Policies, Adap
     using Base = PlanRenewal<AdaptiveSspql, Policies, AdaptiveParams<Policies>>;
     friend OptimisticPlanner<AdaptiveSspql, Policies, AdaptiveParams<Policies>>;
     friend Learner<AdaptiveSspql, typename Policies::LegalActions>;
+    friend SerializationAccess;
 
 public:
     using Params = AdaptiveParams<Policies>;
+    static constexpr const char* type_name = "adaptive SSPQL";  ///< in checkpoints
 
     /// \throws std::invalid_argument for no states or actions, more than 65535 actions, or parameters out of range.
     AdaptiveSspql(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
@@ -112,6 +115,12 @@ private:
         params.validate();
         if (actions > 65535) throw_invalid("number of actions", "be at most 65535", actions);
         return params;
+    }
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        Base::serialize(archive);
+        archive.section("retrace", [&] { archive(retrace_); });
     }
 
     void add_states(std::size_t n) {

@@ -19,6 +19,12 @@
 
 namespace sspql {
 
+namespace detail {
+
+struct AgentArchive;  // io/checkpoint.hpp
+
+}  // namespace detail
+
 /// A learner that speaks the robot's own language: observations in, commands out.
 ///
 ///     sspql::Agent robot(state_policy, action_policy);          learns with the adaptive planner
@@ -140,6 +146,8 @@ public:
     [[nodiscard]] const ActionPolicy& actions() const noexcept { return actions_; }
 
 private:
+    friend detail::AgentArchive;
+
     // The static_asserts name what is missing; `if constexpr` keeps it the only error.
 
     [[nodiscard]] StateCount state_count() const {

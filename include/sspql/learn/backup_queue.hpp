@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/paths/dary_heap.hpp>
 
 namespace sspql {
@@ -56,6 +57,12 @@ public:
         return {state_id(at / actions_), action_id(at % actions_)};
     }
 
+    /// Calls f(StateId, ActionId) for all that are queued, in no particular order.
+    template <class F>
+    void for_each(const F& f) const {
+        heap_.for_each([&](std::uint32_t at, double) { f(state_id(at / actions_), action_id(at % actions_)); });
+    }
+
     /// O(number of (s,a)), at memory speed.
     void clear() {
         std::fill(priority_.begin(), priority_.end(), 0.0);
@@ -63,6 +70,25 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(heap_);
+        archive.fixed(priority_);
+        if constexpr (Archive::loading) {
+            std::size_t queued = 0;
+            for (const double priority : priority_) {
+                archive.require(priority >= 0.0, "a priority is negative");
+                queued += priority > 0.0 ? 1u : 0u;
+            }
+            heap_.for_each([&](std::uint32_t vertex, double key) {
+                archive.require(priority_[vertex] > 0.0 && key == -priority_[vertex], "a priority is wrong");
+            });
+            archive.require(queued == heap_.size(), "a queue is incomplete");
+        }
+    }
+
     std::size_t actions_;
     DaryHeap<4> heap_;
     std::vector<double> priority_;

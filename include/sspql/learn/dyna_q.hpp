@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/last_outcomes.hpp>
 #include <sspql/learn/model_learner.hpp>
 #include <sspql/learn/q_update.hpp>
@@ -19,7 +20,7 @@ template <class Policies>
 class DynaQ;
 
 /// What a planning step of Dyna-Q replays.
-enum class Replay {
+enum class Replay : std::uint8_t {
     from_counts,  ///< an outcome drawn with its observed frequency, mean reward
     last_outcome  ///< what happened last, as in Sutton and Barto's deterministic mazes
 };
@@ -31,6 +32,14 @@ struct DynaQParams : ModelParams<Policies> {
 
     std::size_t planning_steps = 10;  ///< k
     Replay replay = Replay::from_counts;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        ModelParams<Policies>::serialize(archive);
+        archive.size(planning_steps);
+        archive(replay);
+        archive.require(replay == Replay::from_counts || replay == Replay::last_outcome, "there is no such replay");
+    }
 };
 
 /// Dyna-Q (Sutton 1990): after each real step, k planning steps: a (s,a) tried before, uniformly at random, an outcome
@@ -44,9 +53,11 @@ class DynaQ : public ModelLearner<DynaQ<Policies>, Policies, DynaQParams<Policie
     friend Base;
     friend ValueLearner<DynaQ, Policies, DynaQParams<Policies>>;
     friend Learner<DynaQ, typename Policies::LegalActions>;
+    friend SerializationAccess;
 
 public:
     using Params = DynaQParams<Policies>;
+    static constexpr const char* type_name = "Dyna-Q";  ///< in checkpoints
 
     /// \throws std::invalid_argument for no states or actions, or parameters out of range.
     DynaQ(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
@@ -59,6 +70,21 @@ public:
 
 private:
     static constexpr std::size_t most_at_once = 32;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        Base::serialize(archive);
+        archive.section("outcomes", [&] {
+            archive(last_);
+            for (std::size_t i = 0; i < last_.size(); ++i) {
+                const Transition& t = last_.tried(i);
+                archive.require(index(t.state) < Base::states() && index(t.next) < Base::states() &&
+                                    this->model_.counts().n(t.state, t.action) > 0,
+                                "an outcome is not in the model");
+            }
+            archive.require(last_.size() != 0 || this->model_.counts().pairs() == 0, "the list of outcomes is incomplete");
+        });
+    }
 
     void learn(const Transition& t) {
         Base::remember(t);

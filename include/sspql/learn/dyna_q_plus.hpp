@@ -9,6 +9,7 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/last_outcomes.hpp>
 #include <sspql/learn/q_update.hpp>
 #include <sspql/learn/value_learner.hpp>
@@ -25,6 +26,13 @@ struct DynaQPlusParams : ValueParams<Policies> {
 
     std::size_t planning_steps = 10;  ///< k
     double time_bonus = 1e-4;         ///< reward for what was not tried for long: time_bonus sqrt(steps since)
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        ValueParams<Policies>::serialize(archive);
+        archive.size(planning_steps);
+        archive(time_bonus);
+    }
 };
 
 /// Dyna-Q+ (Sutton 1990; Sutton and Barto 2018, section 8.3), for worlds that change: planning steps replay last
@@ -37,9 +45,11 @@ class DynaQPlus : public ValueLearner<DynaQPlus<Policies>, Policies, DynaQPlusPa
     using Base = ValueLearner<DynaQPlus, Policies, DynaQPlusParams<Policies>>;
     friend Base;
     friend Learner<DynaQPlus, typename Policies::LegalActions>;
+    friend SerializationAccess;
 
 public:
     using Params = DynaQPlusParams<Policies>;
+    static constexpr const char* type_name = "Dyna-Q+";  ///< in checkpoints
 
     /// \throws std::invalid_argument for no states or actions, or parameters out of range.
     DynaQPlus(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
@@ -62,6 +72,26 @@ public:
     [[nodiscard]] std::uint64_t model_operations() const noexcept { return operations_; }
 
 private:
+    template <class Archive>
+    void serialize(Archive& archive) {
+        Base::serialize(archive);
+        archive.section("outcomes", [&] {
+            archive(outcomes_, visited_, now_, operations_);
+            archive.fixed(last_try_);
+            for (std::size_t i = 0; i < outcomes_.size(); ++i) {
+                const Transition& t = outcomes_.tried(i);
+                archive.require(index(t.state) < Base::states() && index(t.next) < Base::states(),
+                                "an outcome is of no state");
+            }
+            for (const StateId s : visited_) {
+                archive.require(index(s) < Base::states() && (!Archive::loading || !visited_mark_[index(s)]),
+                                "the list of visited states is wrong");
+                if constexpr (Archive::loading) visited_mark_[index(s)] = true;
+            }
+            for (const std::uint64_t time : last_try_) archive.require(time <= now_, "something was tried in the future");
+        });
+    }
+
     void add_states(std::size_t n) {
         Base::add_states(n);
         visited_mark_.resize(n, false);

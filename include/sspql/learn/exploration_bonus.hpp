@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include <sspql/core/errors.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/tabulated.hpp>
 
 namespace sspql {
@@ -24,6 +25,14 @@ public:
     [[nodiscard]] double eta() const noexcept { return eta_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(eta_);
+        if constexpr (Archive::loading) *this = ExplorationBonus(eta_);
+    }
+
     [[nodiscard]] double compute(std::uint64_t n) const noexcept {
         return n == 0 ? 1.0 : std::pow(static_cast<double>(n) + 1.0, -eta_);
     }

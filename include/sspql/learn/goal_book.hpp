@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/transition.hpp>
 #include <sspql/paths/shortest_paths.hpp>
 
@@ -54,6 +55,29 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive.fixed(kind_);
+        archive(ends_, given_, costs_seen_);
+        if constexpr (Archive::loading) {
+            std::size_t ends = 0;
+            for (const Kind kind : kind_) {
+                archive.require(kind <= Kind::rewarding, "there is no such kind of state");
+                ends += kind != Kind::plain ? 1u : 0u;
+            }
+            archive.require(ends == ends_.size(), "the list of goals is incomplete");
+            std::vector<bool> listed(kind_.size(), false);
+            for (const StateId s : ends_) {
+                archive.require(index(s) < kind_.size() && kind_[index(s)] != Kind::plain && !listed[index(s)],
+                                "the list of goals is wrong");
+                listed[index(s)] = true;
+            }
+            detail::require_goals(given_, kind_.size());
+        }
+    }
+
     enum class Kind : std::uint8_t { plain, terminal, rewarding };
 
     void forget(StateId s, Kind& kind) {

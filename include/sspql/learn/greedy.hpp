@@ -13,6 +13,7 @@ namespace sspql {
 /// draw for each equal beyond the first.
 class Greedy {
 public:
+    static constexpr const char* type_name = "greedy";
     static constexpr double tolerance = 1e-12;
 
     template <class Allowed, class Score>

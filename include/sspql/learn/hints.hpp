@@ -7,6 +7,7 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/schedule.hpp>
 
 namespace sspql {
@@ -36,10 +37,24 @@ public:
     void clear() noexcept { hints_.clear(); }
 
 private:
+    friend SerializationAccess;
+
     struct Hint {
         double strength = 0.0;
         std::uint32_t visits = 0;
+
+        template <class Archive>
+        void serialize(Archive& archive) {
+            archive(strength, visits);
+        }
     };
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(hints_);
+        archive.require(hints_.size() % actions_ == 0, "hints are incomplete");
+    }
+
     std::size_t actions_;
     std::vector<Hint> hints_;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/transition.hpp>
 #include <sspql/model/prefetch.hpp>
 
@@ -48,6 +49,24 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(tried_);
+        if constexpr (Archive::loading) {
+            place_.clear();
+            for (std::size_t i = 0; i < tried_.size(); ++i) {
+                const Transition& t = tried_[i];
+                archive.require(index(t.action) < actions_ && find(t.state, t.action) == nullptr,
+                                "the list of outcomes is wrong");
+                const std::size_t at = index(t.state) * actions_ + index(t.action);
+                if (place_.size() <= at) place_.resize((index(t.state) + 1) * actions_, none);
+                place_[at] = static_cast<std::uint32_t>(i);
+            }
+        }
+    }
+
     static constexpr std::uint32_t none = 0xFFFFFFFFu;
 
     std::size_t actions_;

@@ -184,6 +184,20 @@ protected:
     [[nodiscard]] LegalActions& legal() noexcept { return legal_; }
     [[nodiscard]] const LegalActions& legal() const noexcept { return legal_; }
 
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive.section("episode", [&] {
+            archive(state_, action_);
+            archive.policy("legal actions", legal_);
+            archive.require(state_ == no_state || index(state_) < states_, "the episode is in a state that is none");
+            archive.require(action_ == no_action || (index(action_) < actions_ && state_ != no_state),
+                            "the episode's action is none");
+            if constexpr (std::is_same_v<LegalActions, LegalActionTable>) {
+                archive.require(legal_.actions() == 0 || legal_.actions() == actions_, "masks have another size");
+            }
+        });
+    }
+
     void episode_begun() noexcept {}
     void legal_actions_changed(StateId /*s*/) noexcept {}
 

@@ -41,6 +41,12 @@ protected:
         this->params_.validate();
     }
 
+    template <class Archive>
+    void serialize(Archive& archive) {
+        Base::serialize(archive);
+        archive.section("model", [&] { archive(model_); });
+    }
+
     void add_states(std::size_t n) {
         Base::add_states(n);
         model_.grow(n);

@@ -9,6 +9,7 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/sweeping_learner.hpp>
 
 namespace sspql {
@@ -23,6 +24,13 @@ struct PrioritizedSweepingParams : ModelParams<Policies> {
 
     std::size_t planning_steps = 10;  ///< backups after each real step, at most
     double threshold = 1e-4;          ///< smaller changes are not passed on
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        ModelParams<Policies>::serialize(archive);
+        archive.size(planning_steps);
+        archive(threshold);
+    }
 
     /// Q starts at 1, at most 5 observations count, pseudo-count 0.05: the strong baseline for goals that pay 1.
     [[nodiscard]] static PrioritizedSweepingParams optimistic() {
@@ -47,9 +55,11 @@ class PrioritizedSweeping
     friend ModelLearner<PrioritizedSweeping, Policies, PrioritizedSweepingParams<Policies>>;
     friend ValueLearner<PrioritizedSweeping, Policies, PrioritizedSweepingParams<Policies>>;
     friend Learner<PrioritizedSweeping, typename Policies::LegalActions>;
+    friend SerializationAccess;
 
 public:
     using Params = PrioritizedSweepingParams<Policies>;
+    static constexpr const char* type_name = "prioritized sweeping";  ///< in checkpoints
 
     /// \throws std::invalid_argument for no states or actions, or parameters out of range.
     PrioritizedSweeping(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)

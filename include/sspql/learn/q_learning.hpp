@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/q_update.hpp>
 #include <sspql/learn/value_learner.hpp>
 
@@ -31,9 +32,11 @@ class QLearning : public ValueLearner<QLearning<Policies>, Policies, QLearningPa
     using Base = ValueLearner<QLearning, Policies, QLearningParams<Policies>>;
     friend Base;
     friend Learner<QLearning, typename Policies::LegalActions>;
+    friend SerializationAccess;
 
 public:
     using Params = QLearningParams<Policies>;
+    static constexpr const char* type_name = "Q-learning";  ///< in checkpoints
 
     /// \throws std::invalid_argument for no states or actions (StateCount::growing() starts with none), gamma outside
     /// [0, 1], alpha outside [0, 1], or parameters that are not finite.

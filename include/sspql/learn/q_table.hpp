@@ -12,6 +12,7 @@
 #include <sspql/core/assert.hpp>
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/model/prefetch.hpp>
 #include <sspql/spaces/legal_actions.hpp>
 
@@ -93,6 +94,13 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive.fixed(values_);
+    }
+
     std::size_t actions_;
     double initial_;
     std::vector<double> values_;

@@ -9,6 +9,7 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/sweeping_learner.hpp>
 
 namespace sspql {
@@ -24,6 +25,13 @@ struct RMaxParams : ModelParams<Policies> {
 
     std::size_t known_after = 3;  ///< m: an (s,a) is unknown, and worth initial_q, until tried so often
     double threshold = 1e-4;      ///< planning stops when no value is further off
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        ModelParams<Policies>::serialize(archive);
+        archive.size(known_after);
+        archive(threshold);
+    }
 
     RMaxParams() { this->initial_q = 1.0; }
 };
@@ -42,9 +50,11 @@ class RMax : public SweepingLearner<RMax<Policies>, Policies, RMaxParams<Policie
     friend ModelLearner<RMax, Policies, RMaxParams<Policies>>;
     friend ValueLearner<RMax, Policies, RMaxParams<Policies>>;
     friend Learner<RMax, typename Policies::LegalActions>;
+    friend SerializationAccess;
 
 public:
     using Params = RMaxParams<Policies>;
+    static constexpr const char* type_name = "R-Max";  ///< in checkpoints
 
     /// \throws std::invalid_argument for no states or actions, or parameters out of range.
     RMax(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)

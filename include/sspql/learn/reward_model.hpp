@@ -8,6 +8,7 @@
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/core/random.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/q_table.hpp>
 #include <sspql/learn/transition.hpp>
 #include <sspql/learn/value_learner.hpp>
@@ -30,6 +31,12 @@ struct ModelParams : ValueParams<Policies> {
     /// An optimistic pseudo-count: every (s,a) counts as if it had led this often to `unknown_value`.
     double kappa = 0.0;
     double unknown_value = 1.0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        ValueParams<Policies>::serialize(archive);
+        archive(cap, least_count, kappa, unknown_value);
+    }
 
     void validate() const {
         if (cap != 0.0) require_in("cap", cap, 1.0, 1e9);
@@ -129,6 +136,13 @@ public:
     void count_operation() noexcept { ++operations_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(counts_, operations_);
+    }
+
     Counts counts_;
     std::uint64_t operations_ = 0;
 };

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/model_learner.hpp>
 
 namespace sspql {
@@ -29,9 +30,11 @@ class Rtdp : public ModelLearner<Rtdp<Policies>, Policies, RtdpParams<Policies>>
     friend Base;
     friend ValueLearner<Rtdp, Policies, RtdpParams<Policies>>;
     friend Learner<Rtdp, typename Policies::LegalActions>;
+    friend SerializationAccess;
 
 public:
     using Params = RtdpParams<Policies>;
+    static constexpr const char* type_name = "RTDP";  ///< in checkpoints
 
     /// \throws std::invalid_argument for no states or actions, or parameters out of range.
     Rtdp(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)

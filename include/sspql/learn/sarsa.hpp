@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/value_learner.hpp>
 
 namespace sspql {
@@ -20,6 +21,12 @@ struct SarsaParams : ValueParams<Policies> {
     using Learner = Sarsa<Policies>;
 
     bool expected = false;  ///< expected Sarsa: the mean over a' instead of the one a' chosen
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        ValueParams<Policies>::serialize(archive);
+        archive(expected);
+    }
 };
 
 /// Sarsa (Rummery and Niranjan 1994; Sutton and Barto 2018, section 6.4): learns the value of what it does, exploration
@@ -33,9 +40,11 @@ class Sarsa : public ValueLearner<Sarsa<Policies>, Policies, SarsaParams<Policie
     using Base = ValueLearner<Sarsa, Policies, SarsaParams<Policies>>;
     friend Base;
     friend Learner<Sarsa, typename Policies::LegalActions>;
+    friend SerializationAccess;
 
 public:
     using Params = SarsaParams<Policies>;
+    static constexpr const char* type_name = "Sarsa";  ///< in checkpoints
 
     /// \throws std::invalid_argument for no states or actions, parameters out of range, or expected Sarsa with a Selector
     /// that has no expectation.

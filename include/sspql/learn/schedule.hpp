@@ -6,6 +6,7 @@
 #include <variant>
 
 #include <sspql/core/errors.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/tabulated.hpp>
 
 namespace sspql {
@@ -61,6 +62,22 @@ public:
     [[nodiscard]] double greatest() const noexcept { return table_[0]; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        auto kind = static_cast<std::uint8_t>(rule_.index());
+        archive(kind);
+        archive.require(kind < std::variant_size_v<Rule>, "there is no such schedule");
+        if constexpr (Archive::loading) {
+            rule_ = kind == 0 ? Rule(Constant{}) : kind == 1 ? Rule(VisitDecay{}) : Rule(ExponentialDecay{});
+        }
+        if (auto* constant = std::get_if<Constant>(&rule_)) archive(constant->value);
+        if (auto* decay = std::get_if<VisitDecay>(&rule_)) archive(decay->p);
+        if (auto* decay = std::get_if<ExponentialDecay>(&rule_)) archive(decay->start, decay->rate, decay->floor);
+        if constexpr (Archive::loading) *this = Schedule(rule_);
+    }
+
     static const Rule& checked(const Rule& rule) {
         std::visit([](const auto& r) { check(r); }, rule);
         return rule;

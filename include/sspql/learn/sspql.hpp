@@ -9,6 +9,7 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/core/step_budget.hpp>
 #include <sspql/learn/goal_book.hpp>
 #include <sspql/learn/q_update.hpp>
@@ -51,6 +52,15 @@ struct SspqlParams : ValueParams<Policies> {
     typename Policies::Cost cost{};  ///< eq. 2; lambda is in it
     double path_tolerance = 0.0;     ///< costs off by no more than this share stay; 0.01 makes an episode's end cheap
     std::uint64_t path_budget = 0;   ///< edges touched per step for the paths; 0: all at the episode's end
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        ValueParams<Policies>::serialize(archive);
+        archive(w_q, w_ssp, ssp_decay);
+        archive.policy("probability", probability);
+        archive.policy("cost", cost);
+        archive(path_tolerance, path_budget);
+    }
 
     SspqlParams() { this->w_exp = 0.1; }
 
@@ -114,10 +124,12 @@ class Sspql : public ValueLearner<Sspql<Policies>, Policies, SspqlParams<Policie
     using Base = ValueLearner<Sspql, Policies, SspqlParams<Policies>>;
     friend Base;
     friend Learner<Sspql, typename Policies::LegalActions>;
+    friend SerializationAccess;
     static_assert(detail::QueueRequirements<typename Policies::Queue>::met);
 
 public:
     using Params = SspqlParams<Policies>;
+    static constexpr const char* type_name = "SSPQL";  ///< in checkpoints
     using Counts = TransitionCounts<typename Policies::Cell>;
 
     /// \throws std::invalid_argument for no states or actions (StateCount::growing() starts with none), gamma or alpha
@@ -173,6 +185,17 @@ public:
     [[nodiscard]] std::uint64_t model_operations() const noexcept { return records_ + planner_.edges_touched(); }
 
 private:
+    template <class Archive>
+    void serialize(Archive& archive) {
+        Base::serialize(archive);
+        archive.section("model", [&] { archive(counts_, records_); });
+        archive.section("goals", [&] { archive(goals_); });
+        archive.section("paths", [&] {
+            SerializationAccess::serialize(planner_, archive, counts_);
+            archive(budget_);
+        });
+    }
+
     void add_states(std::size_t n) {
         Base::add_states(n);
         counts_.grow(n);

@@ -33,6 +33,17 @@ protected:
     SweepingLearner(StateCount states, std::size_t actions, ParamsType params, std::uint64_t seed)
         : Base(states, actions, std::move(params), seed), queue_(states.initial(), actions) {}
 
+    template <class Archive>
+    void serialize(Archive& archive) {
+        Base::serialize(archive);
+        archive.section("queue", [&] {
+            archive(queue_, backups_);
+            queue_.for_each([&](StateId s, ActionId a) {
+                archive.require(this->model_.counts().n(s, a) > 0, "what was never tried is queued");
+            });
+        });
+    }
+
     void add_states(std::size_t n) {
         Base::add_states(n);
         queue_.grow(n);

@@ -58,6 +58,15 @@ protected:
           hints_(actions),
           random_(seed, RandomStream::learner) {}
 
+    /// For checkpoints (core/serialization.hpp); parameters were read before the learner was made.
+    template <class Archive>
+    void serialize(Archive& archive) {
+        Base::serialize(archive);
+        archive.section("visits", [&] { archive(visits_); });
+        archive.section("hints", [&] { archive(hints_); });
+        archive.section("random", [&] { archive(random_); });
+    }
+
     void add_states(std::size_t n) { visits_.grow(n); }
     void reserve_visits(std::size_t states) { visits_.reserve(states); }
 

@@ -17,6 +17,11 @@ struct Transition {
     StateId next{};
     bool terminated = false;
     double weight = 1.0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(state, action, reward, next, terminated, weight);
+    }
 };
 
 /// How many states a learner has: a fixed number, or as many as turn up.

@@ -36,6 +36,13 @@ struct ValueParams {
     Schedule hint_fading = VisitDecay{};   ///< of a trainer's hints, by visits of (s,a) since the hint
     typename Policies::Selector selector{};
     typename Policies::LegalActions legal_actions{};
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(gamma, alpha, initial_q, w_exp, bonus, hint_fading);
+        archive.policy("selector", selector);
+        archive.policy("legal actions", legal_actions);
+    }
 };
 
 /// What the learners with a Q table share: the table, visit counts, selection by
@@ -63,6 +70,12 @@ protected:
         require_in("gamma", params_.gamma, 0.0, 1.0);
         require_in("alpha", params_.alpha.greatest(), 0.0, 1.0);
         require_not_negative("w_exp", params_.w_exp);
+    }
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        Base::serialize(archive);
+        archive.section("values", [&] { archive(q_); });
     }
 
     void add_states(std::size_t n) {

@@ -9,6 +9,7 @@
 
 #include <sspql/core/assert.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 
 namespace sspql {
 
@@ -32,6 +33,13 @@ public:
     void reset() { std::fill(visits_.begin(), visits_.end(), 0); }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive.fixed(visits_);
+    }
+
     [[nodiscard]] std::size_t at(StateId s, ActionId a) const noexcept {
         SSPQL_ASSERT(index(s) * actions_ + index(a) < visits_.size() && index(a) < actions_, "ids within range");
         return index(s) * actions_ + index(a);

@@ -99,25 +99,9 @@ public:
     /// Adds (s, next), which must be absent, with cells of zeros, weight 1 and a label that no search may read yet.
     /// \returns its place.
     std::uint32_t insert(StateId s, StateId next) {
-        Head* from = head(s);
         Head* to = head(next);
-        const std::uint32_t place = from->out_size;
-        if (bodies_.out_full(from)) enlarge_out(from);
-        const std::uint32_t slot = to->in_size;
         if (bodies_.in_full(to)) bodies_.enlarge_in(to);
-        if (place >= hub_degree) index_hub(s, next);
-        from->out_size = (place + 1) & 0x7FFFFFFFu;
-        const Edge edge = this->edge(s, place);
-        edge.block.set(edge.at, next);
-        edge.block.slots()[edge.at] = slot;
-        for (std::size_t r = 0; r < bodies_.rows(); ++r) std::memset(edge.block.cell(r, edge.at, cell()), 0, cell());
-        if (has_weights()) set_weight(edge, 1.0);
-        to->in_size = slot + 1;
-        const auto [block, at] = in_at(to, slot);
-        block.from[at] = static_cast<std::uint32_t>(s);
-        block.labels()[at] = std::numeric_limits<double>::quiet_NaN();
-        ++pairs_;
-        return place;
+        return append(s, next, to->in_size++);
     }
 
     /// Removes the successor of s at this place, and s from its predecessors. The last successor takes its place.
@@ -241,6 +225,9 @@ public:
     }
 
 private:
+    template <class>
+    friend struct CountsArchive;
+
     using Bodies = StateBodies<Number>;
     using Head = typename Bodies::Head;
     static constexpr std::uint32_t inner_size = Bodies::inner_size;
@@ -251,6 +238,25 @@ private:
 
     [[nodiscard]] Head* head(StateId s) const noexcept { return bodies_.head(s); }
     [[nodiscard]] std::size_t cell() const noexcept { return bodies_.cell(); }
+
+    /// insert() where the predecessors of `next` have room at `slot`. \throws std::length_error with 2^30 successors.
+    std::uint32_t append(StateId s, StateId next, std::uint32_t slot) {
+        Head* from = head(s);
+        const std::uint32_t place = from->out_size;
+        if (bodies_.out_full(from)) enlarge_out(from);
+        if (place >= hub_degree) index_hub(s, next);
+        from->out_size = (place + 1) & 0x7FFFFFFFu;
+        const Edge edge = this->edge(s, place);
+        edge.block.set(edge.at, next);
+        edge.block.slots()[edge.at] = slot;
+        for (std::size_t r = 0; r < bodies_.rows(); ++r) std::memset(edge.block.cell(r, edge.at, cell()), 0, cell());
+        if (has_weights()) set_weight(edge, 1.0);
+        const auto [block, at] = in_at(head(next), slot);
+        block.from[at] = static_cast<std::uint32_t>(s);
+        block.labels()[at] = std::numeric_limits<double>::quiet_NaN();
+        ++pairs_;
+        return place;
+    }
 
     struct InPlace {
         Predecessors block;

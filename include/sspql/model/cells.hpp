@@ -5,6 +5,7 @@
 #include <limits>
 
 #include <sspql/core/assert.hpp>
+#include <sspql/core/serialization.hpp>
 
 /// \file
 /// Cells: what TransitionCounts keeps about one observed (s, a, s'). A cell is trivially copyable, all zero when new,
@@ -30,6 +31,7 @@ public:
     using Number = std::uint32_t;
     static constexpr bool keeps_rewards = false;
     static constexpr Number limit = Limit;
+    static constexpr const char* type_name = "count";
 
     [[nodiscard]] Number count() const noexcept { return bits_ & 0x7FFFFFFFu; }
     [[nodiscard]] bool terminal() const noexcept { return (bits_ >> 31) != 0; }
@@ -43,6 +45,14 @@ public:
     void halve() noexcept { bits_ = (bits_ & 0x80000000u) | ((count() + 1u) / 2u); }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(bits_);
+        archive.require(count() <= Limit, "a count is above its limit");
+    }
+
     std::uint32_t bits_ = 0;
 };
 
@@ -53,6 +63,7 @@ using CountCell = BasicCountCell<>;
 struct FadingCell {
     using Number = double;
     static constexpr bool keeps_rewards = true;
+    static constexpr const char* type_name = "fading";
 
     double n = 0.0;
     double reward_sum = 0.0;
@@ -78,6 +89,12 @@ struct FadingCell {
     void scale(double factor) noexcept {
         n *= factor;
         reward_sum *= factor;
+    }
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(n, reward_sum, fast, ended);
+        archive.require(n >= 0.0 && n <= 9007199254740992.0 && fast >= 0.0f && fast <= 1e9f, "a count is out of range");
     }
 };
 

@@ -27,6 +27,8 @@ template <class Cell>
 
 /// P(s'|s) = sum_a P(s'|s,a) (eq. 3), as printed: over all actions, so no probability; it lies in (0, |A|].
 struct SumOverActions {
+    static constexpr const char* type_name = "sum over actions";
+
     template <class Cell>
     [[nodiscard]] double operator()(const TransitionCounts<Cell>& counts, StateId s,
                                     const typename TransitionCounts<Cell>::Successor& successor) const {
@@ -40,6 +42,8 @@ struct SumOverActions {
 
 /// P(s'|s) = max_a P(s'|s,a), in (0, 1]: the chance of getting there when trying to. Needed by ExpectedTries.
 struct BestAction {
+    static constexpr const char* type_name = "best action";
+
     template <class Cell>
     [[nodiscard]] double operator()(const TransitionCounts<Cell>& counts, StateId s,
                                     const typename TransitionCounts<Cell>::Successor& successor) const {
@@ -59,8 +63,8 @@ template <class Cell>
     const auto total = static_cast<double>(counts.n(s, a));
     if (!(total > 0.0)) return 0.0;
     double sum = 0.0;
-    counts.for_each_successor(s, [&](const auto& successor) {
-        const double p = static_cast<double>(successor.n(a)) / total;
+    counts.for_each_outcome(s, a, [&](StateId, const Cell& cell) {
+        const double p = static_cast<double>(cell.count()) / total;
         if (p > 0.0) sum -= p * std::log(p);
     });
     return sum;

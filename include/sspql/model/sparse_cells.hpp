@@ -35,6 +35,11 @@ public:
         return nullptr;
     }
 
+    /// The action of the i-th pair.
+    [[nodiscard]] ActionId action(const Handle& handle, std::uint32_t i) const noexcept {
+        return ActionId{pairs(handle)[i].action};
+    }
+
     /// The action's cell, made if need be.
     [[nodiscard]] Cell& touch(Handle& handle, ActionId a) {
         if (Cell* found = find(handle, a)) return *found;

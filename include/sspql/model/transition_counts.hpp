@@ -10,12 +10,20 @@
 #include <sspql/core/assert.hpp>
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/model/adjacency.hpp>
 #include <sspql/model/cells.hpp>
 #include <sspql/model/prefetch.hpp>
 #include <sspql/model/sparse_cells.hpp>
 
 namespace sspql {
+
+namespace detail {
+
+template <class Cell>
+struct CountsArchive;  // counts_archive.hpp
+
+}  // namespace detail
 
 /// The least and greatest weight of a transition (eq. 2); anything else is refused.
 inline constexpr double min_weight = 1e-30;
@@ -71,6 +79,8 @@ public:
         [[nodiscard]] double weight() const noexcept { return counts_->pairs_.weight(edge_); }
 
         [[nodiscard]] double label() const noexcept { return counts_->pairs_.label(edge_); }
+        /// For somebody who soon reads or writes it: has it fetched into the cache.
+        void prefetch_label() const noexcept { detail::prefetch(&counts_->pairs_.label(edge_)); }
 
     private:
         friend class TransitionCounts;
@@ -252,6 +262,14 @@ public:
     [[nodiscard]] std::size_t bytes() const noexcept { return pairs_.bytes() + (dense() ? 0 : sparse_.bytes()); }
 
 private:
+    friend SerializationAccess;
+    friend detail::CountsArchive<Cell>;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        detail::CountsArchive<Cell>::serialize(*this, archive);
+    }
+
     /// record() without a short cut.
     [[gnu::noinline]] void record_any(StateId s, ActionId a, StateId next, bool terminal, double reward,
                                       double weight) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <sspql/core/errors.hpp>
+#include <sspql/core/serialization.hpp>
 
 /// \file
 /// Cost policies: the expected cost EC(s,s') of an edge, from its mean observed weight and P(s'|s).
@@ -23,6 +24,8 @@ namespace sspql {
 /// \throws std::invalid_argument for a lambda that is negative or not finite.
 class RiskWeighted {
 public:
+    static constexpr const char* type_name = "risk weighted";
+
     explicit RiskWeighted(double lambda = 2.0) : lambda_(require_not_negative("lambda", lambda)) {}
 
     [[nodiscard]] double operator()(double weight, double probability) const noexcept {
@@ -32,11 +35,21 @@ public:
     [[nodiscard]] double lambda() const noexcept { return lambda_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(lambda_);
+        require_not_negative("lambda", lambda_);
+    }
+
     double lambda_;
 };
 
 /// EC = weight / P: the expected weight of trying until it works. P counts up to 1; use it with BestAction.
 struct ExpectedTries {
+    static constexpr const char* type_name = "expected tries";
+
     [[nodiscard]] double operator()(double weight, double probability) const noexcept {
         return weight / std::min(probability, 1.0);
     }
@@ -46,6 +59,8 @@ struct ExpectedTries {
 /// \throws std::invalid_argument for a lambda that is negative or not finite.
 class LogRisk {
 public:
+    static constexpr const char* type_name = "log risk";
+
     explicit LogRisk(double lambda = 1.0) : lambda_(require_not_negative("lambda", lambda)) {}
 
     [[nodiscard]] double operator()(double weight, double probability) const noexcept {
@@ -55,11 +70,21 @@ public:
     [[nodiscard]] double lambda() const noexcept { return lambda_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(lambda_);
+        require_not_negative("lambda", lambda_);
+    }
+
     double lambda_;
 };
 
 /// EC = 1: the fewest transitions, likely or not.
 struct HopCount {
+    static constexpr const char* type_name = "hop count";
+
     [[nodiscard]] double operator()(double /*weight*/, double /*probability*/) const noexcept { return 1.0; }
 };
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include <sspql/core/assert.hpp>
 #include <sspql/core/concepts.hpp>
@@ -26,25 +28,69 @@ using ProbabilityExpression = decltype(std::declval<const Probability&>()(
     std::declval<const TransitionCounts<CountCell>&>(), StateId{},
     std::declval<const TransitionCounts<CountCell>::Successor&>()));
 
-/// policy(counts, s, successor).
+/// P(s'|s) for the successors of one state: policy(counts, s, successor).
 template <class Probability, class Cell>
-double edge_probability(const Probability& policy, const TransitionCounts<Cell>& counts, StateId s,
-                        const typename TransitionCounts<Cell>::Successor& successor) {
-    return policy(counts, s, successor);
-}
+class EdgeProbabilities {
+public:
+    EdgeProbabilities(const Probability& policy, const TransitionCounts<Cell>& counts, StateId s)
+        : policy_(policy), counts_(counts), s_(s) {}
+
+    double operator()(const typename TransitionCounts<Cell>::Successor& successor) const {
+        return policy_(counts_, s_, successor);
+    }
+
+private:
+    const Probability& policy_;
+    const TransitionCounts<Cell>& counts_;
+    StateId s_;
+};
 
 /// The same sum to the bit, 0 for each action that did not lead there: with few actions, the divisions cost less than
-/// guessing which to skip.
+/// guessing which to skip. What is divided by is looked up once a state.
 template <class Cell>
-double edge_probability(const SumOverActions& policy, const TransitionCounts<Cell>& counts, StateId s,
-                        const typename TransitionCounts<Cell>::Successor& successor) {
-    if (counts.actions() > 8) return policy(counts, s, successor);
-    double sum = 0.0;
-    for (std::size_t a = 0; a < counts.actions(); ++a) {
-        const auto total = static_cast<double>(counts.n(s, action_id(a)));
-        sum += static_cast<double>(successor.n(action_id(a))) / (total > 0.0 ? total : 1.0);
+class EdgeProbabilities<SumOverActions, Cell> {
+public:
+    EdgeProbabilities(const SumOverActions& policy, const TransitionCounts<Cell>& counts, StateId s)
+        : policy_(policy), counts_(counts), s_(s), actions_(counts.actions()) {
+        if (actions_ > few) return;
+        for (std::size_t a = 0; a < actions_; ++a) {
+            const auto total = static_cast<double>(counts.n(s, action_id(a)));
+            total_[a] = total > 0.0 ? total : 1.0;
+        }
     }
-    return sum;
+
+    double operator()(const typename TransitionCounts<Cell>::Successor& successor) const {
+        if (actions_ > few) return policy_(counts_, s_, successor);
+        double sum = 0.0;
+        for (std::size_t a = 0; a < actions_; ++a) {
+            sum += static_cast<double>(successor.n(action_id(a))) / total_[a];
+        }
+        return sum;
+    }
+
+private:
+    static constexpr std::size_t few = 8;
+
+    const SumOverActions& policy_;
+    const TransitionCounts<Cell>& counts_;
+    StateId s_;
+    std::size_t actions_;
+    std::array<double, few> total_;
+};
+
+/// f(s) for every dirty state. In a large graph the labels it will compare lie outside the caches, and are asked for
+/// ahead.
+template <class Cell, class F>
+void for_each_dirty(const TransitionCounts<Cell>& counts, const F& f) {
+    constexpr std::size_t ahead = 8;
+    const std::vector<StateId>& dirty = counts.dirty();
+    const bool large = counts.states() >= 30000;
+    for (std::size_t i = 0; i < dirty.size(); ++i) {
+        if (large && i + ahead < dirty.size()) {
+            counts.for_each_successor(dirty[i + ahead], [](const auto& successor) { successor.prefetch_label(); });
+        }
+        f(dirty[i]);
+    }
 }
 
 }  // namespace detail
@@ -79,7 +125,7 @@ public:
     template <class Cell>
     std::size_t publish(TransitionCounts<Cell>& counts) const {
         std::size_t edges = 0;
-        for (const StateId s : counts.dirty()) edges += refresh(counts, s, [](StateId, double, double) {});
+        detail::for_each_dirty(counts, [&](StateId s) { edges += refresh(counts, s, [](StateId, double, double) {}); });
         counts.clear_dirty();
         return edges;
     }
@@ -88,7 +134,7 @@ public:
     template <class Cell>
     std::size_t publish(TransitionCounts<Cell>& counts, PublishedChanges& changes) const {
         std::size_t edges = 0;
-        for (const StateId s : counts.dirty()) edges += publish_state(counts, s, changes);
+        detail::for_each_dirty(counts, [&](StateId s) { edges += publish_state(counts, s, changes); });
         counts.clear_dirty();
         return edges;
     }
@@ -111,8 +157,9 @@ private:
     template <class Cell, class Changed>
     std::size_t refresh(TransitionCounts<Cell>& counts, StateId s, const Changed& changed) const {
         std::size_t edges = 0;
+        const detail::EdgeProbabilities<Probability, Cell> probability(probability_, counts, s);
         counts.for_each_successor(s, [&](const auto& successor) {
-            const double cost = cost_(successor.weight(), detail::edge_probability(probability_, counts, s, successor));
+            const double cost = cost_(successor.weight(), probability(successor));
             SSPQL_ASSERT(cost >= 0.0 && cost <= 1e300, "a CostPolicy's costs are finite and >= 0");
             ++edges;
             const double label = successor.label();

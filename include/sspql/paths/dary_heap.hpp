@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <sspql/core/assert.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/paths/queue.hpp>
 
 namespace sspql {
@@ -60,13 +61,45 @@ public:
         return vertex;
     }
 
+    /// Calls f(vertex, key) for all that are queued, in no particular order.
+    template <class F>
+    void for_each(const F& f) const {
+        for (const Item& item : items_) f(item.vertex, item.key);
+    }
+
     [[nodiscard]] const Counters& counters() const noexcept { return *this; }
 
 private:
+    friend SerializationAccess;
+
     struct Item {
         double key;
         std::uint32_t vertex;
+
+        template <class Archive>
+        void serialize(Archive& archive) {
+            archive(key, vertex);
+        }
     };
+
+    /// The order within the heap included: it decides which of equal keys comes first. Reading needs room (grow) for
+    /// the vertices.
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(items_);
+        if constexpr (Archive::loading) {
+            std::vector<bool> queued(place_.size(), false);
+            for (std::size_t i = 0; i < items_.size(); ++i) {
+                const Item& item = items_[i];
+                archive.require(item.vertex < queued.size() && !queued[item.vertex] && item.key == item.key &&
+                                    !(item.key < items_[i == 0 ? 0 : (i - 1) / D].key),
+                                "a queue is out of order");
+                queued[item.vertex] = true;
+                place_[item.vertex] = static_cast<std::uint32_t>(i);
+            }
+        }
+    }
+
 
     void put(std::size_t i, const Item& item) {
         Counters::count_move();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/model/transition_counts.hpp>
 #include <sspql/paths/cost_publisher.hpp>
 #include <sspql/paths/published_changes.hpp>
@@ -127,6 +128,37 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
+    /// The tree must fit the labels where it says so: repairs rely on it.
+    template <class Archive, class Cell>
+    void serialize(Archive& archive, const TransitionCounts<Cell>& counts) {
+        SerializationAccess::serialize(tree_, archive, counts.states());
+        archive(goals_, edges_, least_, greatest_, known_, exact_);
+        archive.size(reached_);
+        archive.size(pairs_);
+        if constexpr (Archive::loading) {
+            detail::require_goals(goals_, counts.states());
+            if (known_) archive.require(fits(counts), "shortest paths do not fit the costs");
+        }
+    }
+
+    template <class Cell>
+    [[nodiscard]] bool fits(const TransitionCounts<Cell>& counts) const {
+        bool sound = least_ >= 0.0 && least_ <= greatest_ && pairs_ <= counts.pairs();
+        for (const Goal& goal : goals_) sound = sound && index(goal.state) < tree_.size();
+        const double floor = std::max(greatest_ * ReverseGraph::least_ratio, std::numeric_limits<double>::min());
+        for (std::size_t s = 0; s < counts.states() && sound; ++s) {
+            counts.for_each_successor(state_id(s), [&](const auto& successor) {
+                const double label = successor.label();
+                sound = sound && (label != label || (std::max(label, floor) >= least_ && label <= greatest_));
+                if (s >= tree_.size() || tree_.next[s] != successor.state()) return;
+                sound = sound && tree_.distance[s] == tree_.distance[index(successor.state())] + std::max(label, floor);
+            });
+        }
+        return sound;
+    }
+
     /// Beyond how many states a repair is expected to cost more than a search, which also passes over those without a
     /// path.
     [[nodiscard]] std::size_t limit() const noexcept { return std::max(reached_ / 4 * 3, tree_.size() / 64) + 1; }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 
 namespace sspql {
 
@@ -78,6 +79,18 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
+    /// Counts only: of a report whose lists are empty or were dropped.
+    template <class Archive>
+    void serialize(Archive& archive) {
+        if constexpr (Archive::loading) begin(0);
+        archive.size(touched_);
+        archive.size(changed_);
+        archive.size(added_);
+        archive(least_, greatest_, complete_);
+    }
+
     void drop() noexcept {
         complete_ = false;
         edges_.clear();

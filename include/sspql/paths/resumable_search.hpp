@@ -9,6 +9,7 @@
 
 #include <sspql/core/assert.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/core/step_budget.hpp>
 #include <sspql/model/transition_counts.hpp>
 #include <sspql/paths/queue.hpp>
@@ -78,7 +79,52 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
     enum class Phase : std::uint8_t { idle, snapshot, search };
+
+    /// A finished tree is written whole, a search under way as its snapshot and the number of states settled: reading
+    /// makes the same search again up to there.
+    template <class Archive, class Cell>
+    void serialize(Archive& archive, const TransitionCounts<Cell>& counts) {
+        archive(phase_);
+        archive.require(phase_ <= Phase::search, "there is no such phase of a search");
+        if (phase_ == Phase::idle) return SerializationAccess::serialize(tree_, archive, counts.states());
+        std::size_t seen = tree_.size();
+        archive(goals_, offset_, predecessor_, cost_);
+        archive.size(states_);
+        archive.size(seen);
+        archive.size(work_.states);
+        if constexpr (Archive::loading) resume(archive, counts.states(), seen);
+    }
+
+    template <class Archive>
+    void resume(Archive& archive, std::size_t states, std::size_t seen) {
+        detail::require_goals(goals_, states_);
+        archive.require(states_ <= states && seen <= states_ && offset_.size() == seen + 1 && offset_[0] == 0 &&
+                            offset_.back() == cost_.size() && predecessor_.size() == cost_.size() &&
+                            std::is_sorted(offset_.begin(), offset_.end()) && (phase_ == Phase::snapshot || seen == states_),
+                        "a snapshot is incomplete");
+        least_ = std::numeric_limits<double>::infinity();
+        greatest_ = 0.0;
+        for (std::size_t i = 0; i < cost_.size(); ++i) {
+            archive.require(index(predecessor_[i]) < states_ && cost_[i] >= 0.0 && cost_[i] <= 1e300, "an edge is wrong");
+            least_ = std::min(least_, cost_[i]);
+            greatest_ = std::max(greatest_, cost_[i]);
+        }
+        make_room(states_, cost_.size());
+        tree_.distance.assign(seen, std::numeric_limits<double>::infinity());
+        tree_.next.assign(seen, no_state);
+        work_.edges = cost_.size();
+        if (phase_ == Phase::snapshot) return;
+        const std::size_t settled = work_.states;
+        work_.states = 0;
+        begin_search();
+        while (work_.states < settled) {
+            archive.require(!queue_.empty(), "a search went further than it could");
+            settle_one();
+        }
+    }
 
     void make_room(std::size_t states, std::size_t edges) {
         offset_.reserve(states + 1);
@@ -107,6 +153,10 @@ private:
             work_.edges += cost_.size() - before;
             budget.spend(counts.in_degree(v));
         }
+        begin_search();
+    }
+
+    void begin_search() {
         floor_ = std::max(greatest_ * ReverseGraph::least_ratio, std::numeric_limits<double>::min());
         queue_.prepare(states_, std::max(least_, floor_), std::max(greatest_, floor_));
         for (const Goal& goal : goals_) {
@@ -118,16 +168,21 @@ private:
     void search(StepBudget& budget) {
         while (!queue_.empty()) {
             if (budget.exhausted()) return;
-            const StateId v{queue_.pop()};
-            const double here = tree_.distance[index(v)];
-            const std::uint32_t begin = offset_[index(v)];
-            const std::uint32_t end = offset_[index(v) + 1];
-            for (std::uint32_t i = begin; i < end; ++i) relax(predecessor_[i], v, here, std::max(cost_[i], floor_));
-            ++work_.states;
-            work_.edges += end - begin;
-            budget.spend(end - begin + 1);
+            budget.spend(settle_one() + 1);
         }
         phase_ = Phase::idle;
+    }
+
+    /// \returns the edges looked at.
+    std::uint32_t settle_one() {
+        const StateId v{queue_.pop()};
+        const double here = tree_.distance[index(v)];
+        const std::uint32_t begin = offset_[index(v)];
+        const std::uint32_t end = offset_[index(v) + 1];
+        for (std::uint32_t i = begin; i < end; ++i) relax(predecessor_[i], v, here, std::max(cost_[i], floor_));
+        ++work_.states;
+        work_.edges += end - begin;
+        return end - begin;
     }
 
     void relax(StateId u, StateId v, double here, double cost) {

@@ -23,6 +23,11 @@ namespace sspql {
 struct Goal {
     StateId state{};
     double offset = 0.0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(state, offset);
+    }
 };
 
 /// Shortest paths from every state to its best goal, as a tree whose edges lead towards the goals.
@@ -36,6 +41,36 @@ struct ShortestPathTree {
 
     [[nodiscard]] bool reaches_goal(StateId s) const noexcept {
         return index(s) < size() && distance[index(s)] < std::numeric_limits<double>::infinity();
+    }
+
+    /// For checkpoints, of at most `states` states.
+    template <class Archive>
+    void serialize(Archive& archive, std::size_t states) {
+        archive(distance, next);
+        if constexpr (Archive::loading) {
+            archive.require(distance.size() == next.size() && size() <= states, "shortest paths are of other states");
+            for (std::size_t s = 0; s < size(); ++s) {
+                archive.require(distance[s] >= 0.0, "a distance is negative or no number");
+                archive.require(next[s] == no_state || (index(next[s]) < size() && reaches_goal(state_id(s)) &&
+                                                        distance[index(next[s])] <= distance[s]),
+                                "a shortest path is wrong");
+            }
+            archive.require(ends_everywhere(), "a shortest path has no end");
+        }
+    }
+
+    /// Whether every path comes to an end. O(n).
+    [[nodiscard]] bool ends_everywhere() const {
+        std::vector<std::size_t> round(size(), 0);  // in which a walk came by; 0: none yet
+        for (std::size_t s = 0; s < size(); ++s) {
+            StateId at = state_id(s);
+            while (at != no_state && round[index(at)] == 0) {
+                round[index(at)] = s + 1;
+                at = next[index(at)];
+            }
+            if (at != no_state && round[index(at)] == s + 1) return false;
+        }
+        return true;
     }
 
     /// The states from s to its goal, both included; empty if no path is known. O(length).

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/core/step_budget.hpp>
 #include <sspql/model/transition_counts.hpp>
 #include <sspql/paths/path_solver.hpp>
@@ -127,7 +129,33 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
     enum class Phase : std::uint8_t { idle, refresh, search, values, touch_up };
+
+    template <class Archive, class Cell>
+    void serialize(Archive& archive, const TransitionCounts<Cell>& counts) {
+        const std::size_t states = counts.states();
+        SerializationAccess::serialize(solver_, archive, counts);
+        SerializationAccess::serialize(values_, archive, states, counts.actions());
+        SerializationAccess::serialize(search_, archive, counts);
+        SerializationAccess::serialize(next_values_, archive, states, counts.actions());
+        archive(goals_, remasked_, edges_, current_, changes_, refreshing_, waiting_, round_of_, round_, phase_, same_tree_);
+        archive.size(done_);
+        if constexpr (Archive::loading) {
+            detail::require_goals(goals_, states);
+            const auto within = [](const std::vector<StateId>& list, std::size_t n) {
+                return std::all_of(list.begin(), list.end(), [n](StateId s) { return index(s) < n; });
+            };
+            archive.require(within(remasked_, values_.size()) && within(refreshing_, states) && within(waiting_, states) &&
+                                round_of_.size() <= states && done_ <= refreshing_.size() && phase_ <= Phase::touch_up,
+                            "a solve under way is wrong");
+            archive.require(search_.running() == (phase_ == Phase::search), "a search is in the wrong phase");
+            archive.require(!running() || !same_tree_ || within(refreshing_, tree().size()), "the tree is too small");
+            archive.require(phase_ != Phase::touch_up || within(refreshing_, values_.size()), "values are too few");
+            archive.require(phase_ != Phase::values || next_values_.size() <= search_.tree().size(), "values are too many");
+        }
+    }
 
     template <class LegalActions>
     static constexpr bool reports_masks =

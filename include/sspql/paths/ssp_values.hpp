@@ -7,6 +7,7 @@
 
 #include <sspql/core/assert.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/model/probability.hpp>
 #include <sspql/model/transition_counts.hpp>
 #include <sspql/paths/shortest_paths.hpp>
@@ -24,7 +25,6 @@ public:
     /// none of those was seen to lead to next(s), the state has no value. O(n + sum of out-degrees).
     template <class Cell, class LegalActions>
     void assign(const TransitionCounts<Cell>& counts, const ShortestPathTree& tree, const LegalActions& legal) {
-        clear();
         resize(tree.size());
         for (std::size_t s = 0; s < tree.size(); ++s) update(counts, tree, state_id(s), legal);
     }
@@ -73,21 +73,31 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive, std::size_t states, std::size_t actions) {
+        archive(action_, value_);
+        archive.require(action_.size() == value_.size() && size() <= states, "path values are of other states");
+        for (const ActionId a : action_) archive.require(a == no_action || index(a) < actions, "a path's action is none");
+    }
+
     template <class Cell, class LegalActions>
     void compute(const TransitionCounts<Cell>& counts, StateId s, StateId next, const LegalActions& legal) {
         const auto allowed = legal.allowed(s);
+        const std::size_t degree = counts.out_degree(s);
+        std::size_t i = 0;
+        while (i < degree && counts.successor(s, i).state() != next) ++i;
+        if (i == degree) return;
         ActionId best = no_action;
         double best_probability = 0.0;
-        counts.for_each_successor(s, [&](const auto& successor) {
-            if (successor.state() != next) return;
-            successor.for_each_action([&](ActionId a, const Cell& cell) {
-                if (!allowed.contains(a)) return;
-                const double p = static_cast<double>(cell.count()) / static_cast<double>(counts.n(s, a));
-                if (p > best_probability || (p == best_probability && a < best)) {
-                    best = a;
-                    best_probability = p;
-                }
-            });
+        counts.successor(s, i).for_each_action([&](ActionId a, const Cell& cell) {
+            if (!allowed.contains(a)) return;
+            const double p = static_cast<double>(cell.count()) / static_cast<double>(counts.n(s, a));
+            if (p > best_probability || (p == best_probability && a < best)) {
+                best = a;
+                best_probability = p;
+            }
         });
         if (best == no_action) return;
         action_[index(s)] = best;

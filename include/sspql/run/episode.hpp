@@ -21,10 +21,10 @@ struct EpisodeResult {
     bool truncated = false;     ///< cut short, as by TimeLimit
 };
 
-/// Does nothing; what run_episode calls after each step unless told otherwise.
+/// Does nothing; what run_episode calls after each step, and run_episodes after each episode, unless told otherwise.
 struct NoCallback {
-    template <class Step>
-    void operator()(const Step&) const noexcept {}
+    template <class... What>
+    void operator()(const What&...) const noexcept {}
 };
 
 namespace detail {
@@ -81,13 +81,17 @@ EpisodeResult run_episode(Environment& environment, Agent& agent, std::uint64_t 
     return result;
 }
 
-/// `episodes` learning episodes, the k-th (from 0) with the environment seed `seed + k`.
-template <class Environment, class Agent>
+/// `episodes` learning episodes, the k-th (from 0) with the environment seed `seed + k`. `on_episode(result, agent)` is
+/// called after each; see CheckpointEvery.
+template <class Environment, class Agent, class Callback = NoCallback>
 std::vector<EpisodeResult> run_episodes(Environment& environment, Agent& agent, std::size_t episodes,
-                                        std::uint64_t seed) {
+                                        std::uint64_t seed, Callback&& on_episode = {}) {
     std::vector<EpisodeResult> results;
     results.reserve(episodes);
-    for (std::size_t k = 0; k < episodes; ++k) results.push_back(run_episode(environment, agent, seed + k));
+    for (std::size_t k = 0; k < episodes; ++k) {
+        results.push_back(run_episode(environment, agent, seed + k));
+        on_episode(results.back(), agent);
+    }
     return results;
 }
 

@@ -9,6 +9,7 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/spaces/state_policy.hpp>
 
 namespace sspql {
@@ -59,6 +60,19 @@ public:
     [[nodiscard]] const Key& key(StateId s) const { return keys_[index(detail::require_state_of(s, size()))]; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(keys_);
+        if constexpr (Archive::loading) {
+            archive.require(keys_.size() < max_ids, "there are too many states");
+            ids_.clear();
+            for (std::size_t i = 0; i < keys_.size(); ++i) ids_.emplace(keys_[i], state_id(i));
+            archive.require(ids_.size() == keys_.size(), "two states have the same key");
+        }
+    }
+
     std::unordered_map<Key, StateId, Hash, Equal> ids_;
     std::vector<Key> keys_;
 };

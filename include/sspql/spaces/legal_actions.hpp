@@ -11,6 +11,7 @@
 #include <sspql/core/concepts.hpp>
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/spaces/action_set.hpp>
 
 /// \file
@@ -43,6 +44,8 @@ inline constexpr bool stores_masks_v = detail::is_detected_v<detail::SetMaskExpr
 
 /// LegalActions: every action in every state.
 struct AllActions {
+    static constexpr const char* type_name = "all";
+
     struct Everything {
         [[nodiscard]] constexpr bool contains(ActionId) const noexcept { return true; }
     };
@@ -53,6 +56,8 @@ struct AllActions {
 /// first mask; then ceil(|A| / 64) words a state, grown when a higher state gets a mask.
 class LegalActionTable {
 public:
+    static constexpr const char* type_name = "masks";
+
     /// A view into the table, valid until the next `set`.
     class Allowed {
     public:
@@ -95,6 +100,25 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(words_);
+        archive.size(actions_);
+        archive.require(actions_ <= ActionSet::most, "a mask has too many actions");
+        if constexpr (Archive::loading) stride_ = actions_ == 0 ? 1 : (actions_ + 63) / 64;
+        archive.require(words_.size() % stride_ == 0 && words_.empty() == (actions_ == 0), "masks are incomplete");
+        for (std::size_t at = 0; at < words_.size(); at += stride_) archive.require(allows_some(at), "a mask allows nothing");
+    }
+
+    [[nodiscard]] bool allows_some(std::size_t at) const noexcept {
+        for (std::size_t a = 0; a < actions_; ++a) {
+            if (((words_[at + a / 64] >> (a % 64)) & 1u) != 0) return true;
+        }
+        return false;
+    }
+
     std::vector<std::uint64_t> words_;
     std::size_t stride_ = 1;
     std::size_t actions_ = 0;

@@ -9,6 +9,7 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/model/cells.hpp>
 #include <sspql/model/transition_counts.hpp>
 
@@ -22,6 +23,11 @@ struct ChangeParams {
     double fast = 0.7;          ///< the fast counts, kept after an alarm, forget with this factor a try
     double kept = 1.0;          ///< observations that are left after an alarm
     double least_count = 0.02;  ///< outcomes of which less is left are dropped
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(drift, threshold, log_offset, fast, kept, least_count);
+    }
 
     /// \throws std::invalid_argument naming the first number out of range.
     void validate() const {
@@ -134,6 +140,15 @@ public:
     [[nodiscard]] std::uint64_t alarms() const noexcept { return alarms_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive.fixed(score_);
+        archive.fixed(fast_total_);
+        archive(alarms_);
+    }
+
     std::size_t actions_;
     ChangeParams params_;
     std::vector<float> score_;

@@ -9,6 +9,7 @@
 
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/adaptive/change_detector.hpp>
 #include <sspql/learn/transition.hpp>
 #include <sspql/model/cells.hpp>
@@ -25,6 +26,11 @@ struct TrustParams {
     /// > 0: an (s,a) not tried for a while is in doubt again, by half of its counts after 0.7 tau times the number of
     /// (s,a) tried. For worlds where shortcuts open; costs 8 bytes an (s,a), and tries that find nothing new.
     double tau = 0.0;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(cap, kappa_noise, kappa_least, kappa_few, tau);
+    }
 
     /// \throws std::invalid_argument naming the first number out of range.
     void validate() const {
@@ -117,6 +123,17 @@ public:
     [[nodiscard]] Counts& counts() noexcept { return counts_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(counts_, detector_, kappa_, few_, noise_, noise_weight_, steps_);
+        archive.size(pairs_tried_);
+        archive.fixed(last_try_);
+        archive.require(kappa_ > 0.0 && kappa_ <= 1e12, "a pseudo-count is out of range");
+        for (const std::uint64_t time : last_try_) archive.require(time <= steps_, "something was tried in the future");
+    }
+
     /// A running mean over all (s,a); what was tried less than three times says less.
     void follow_noise(double n, double likelihood) {
         const double weight = std::min(1.0, n / 3.0);

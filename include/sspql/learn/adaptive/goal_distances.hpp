@@ -9,6 +9,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/core/step_budget.hpp>
 #include <sspql/model/cells.hpp>
 #include <sspql/model/transition_counts.hpp>
@@ -109,6 +110,31 @@ public:
     [[nodiscard]] std::size_t work() const noexcept { return work_; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive.fixed(distance_);
+        archive(searching_);
+        archive.size(work_);
+        for (const double steps : distance_) archive.require(steps >= 0.0, "a distance is negative or no number");
+        if (!searching_) return;
+        archive.fixed(tentative_);
+        archive.fixed(queued_);
+        archive(queue_);
+        if constexpr (Archive::loading) {
+            std::size_t queued = 0;
+            for (std::size_t s = 0; s < queued_.size(); ++s) {
+                archive.require(queued_[s] <= 2 && tentative_[s] >= 0.0, "a search under way is wrong");
+                queued += queued_[s] == 1 ? 1u : 0u;
+            }
+            queue_.for_each([&](std::uint32_t s, double key) {
+                archive.require(queued_[s] == 1 && tentative_[s] == key, "a search's queue is wrong");
+            });
+            archive.require(queued == queue_.size(), "a search's queue is incomplete");
+        }
+    }
+
     template <class StepCost>
     static std::size_t refresh_state(Counts& counts, StateId s, const StepCost& step_cost) {
         std::size_t edges = 0;

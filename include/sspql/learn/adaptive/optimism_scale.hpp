@@ -8,6 +8,7 @@
 #include <limits>
 
 #include <sspql/core/errors.hpp>
+#include <sspql/core/serialization.hpp>
 
 namespace sspql {
 
@@ -20,6 +21,11 @@ struct OptimismParams {
     double gap = 4.0;        ///< seen from another state it is believed to be this much further
     double limit = 0.3;      ///< the number of steps stays below limit / (1 - gamma)
     double saving = 2.0;     ///< a state is believed to be at most this much nearer to the goal than its shortest known path
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(fraction, least, most, gap, limit, saving);
+    }
 
     /// \throws std::invalid_argument naming the first number out of range.
     void validate() const {
@@ -173,6 +179,18 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive(unit_, top_, return_, discount_, collected_, first_tries_cost_, costs_of_episodes_, median_, c_, costs_,
+                mode_known_, income_, goal_known_, told_, discovered_top_, discovered_goal_);
+        archive.size(first_tries_);
+        archive.size(costly_first_tries_);
+        archive.size(noted_);
+        for (const double cost : costs_of_episodes_) archive.require(cost == cost, "an episode's cost is no number");
+    }
+
     void collect(double reward) noexcept {
         return_ += discount_ * reward;
         discount_ *= gamma_;

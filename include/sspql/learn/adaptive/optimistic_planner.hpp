@@ -10,6 +10,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/core/step_budget.hpp>
 #include <sspql/learn/adaptive/forgetting_model.hpp>
 #include <sspql/learn/adaptive/optimism_scale.hpp>
@@ -55,7 +56,24 @@ protected:
         std::uint16_t tried = 0;
         std::uint16_t open = 0;  // legal actions never tried
         bool seen = false;
+
+        template <class Archive>
+        void serialize(Archive& archive) {
+            archive(value, best, here, ahead, reach, tried, open, seen);
+        }
     };
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        Base::serialize(archive);
+        archive.section("values", [&] { archive(q_); });
+        archive.section("model", [&] { archive(model_); });
+        archive.section("beliefs", [&] {
+            SerializationAccess::serialize(goals_, archive, Base::states());
+            archive.fixed(states_);
+            archive(queue_, budget_, operations_, call_ends_, scale_step_);
+        });
+    }
 
     OptimisticPlanner(StateCount states, std::size_t actions, ParamsType params, std::uint64_t seed)
         : Base(states, actions, std::move(params), seed),

@@ -39,6 +39,23 @@ protected:
         this->scale_step_ = scale_.step_value();
     }
 
+    template <class Archive>
+    void serialize(Archive& archive) {
+        Base::serialize(archive);
+        archive.section("scale", [&] { archive(scale_); });
+        archive.section("paths", [&] { archive(distances_); });
+        archive.section("chores", [&] {
+            archive(order_, exits_, chore_, restarted_, path_bank_, path_cost_, level_bank_, levels_top_, labelled_unit_,
+                    labelled_costs_);
+            archive.size(cursor_);
+            archive.fixed(leads_out_);
+            archive.require(cursor_ <= order_.size() && chore_ <= Chore::enqueue &&
+                                (chore_ == Chore::search) == distances_.searching(),
+                            "a chore under way is wrong");
+            if constexpr (Archive::loading) check_lists(archive);
+        });
+    }
+
     void add_states(std::size_t n) {
         Base::add_states(n);
         distances_.grow(n);
@@ -123,7 +140,7 @@ protected:
     std::vector<StateId> order_;  // states in the order they were seen
 
 private:
-    enum class Chore { none, relabel, search, levels, restart, enqueue };
+    enum class Chore : std::uint8_t { none, relabel, search, levels, restart, enqueue };
 
     static constexpr std::size_t most_dirty = 200;  // states whose labels may wait
 
@@ -145,6 +162,22 @@ private:
             begin_search();
         } else if (!restarted_ || level_bank_ >= static_cast<double>(order_.size())) {
             begin_chore(Chore::levels);
+        }
+    }
+
+    /// Every state seen is listed once, and so is every one with a way out.
+    template <class Archive>
+    void check_lists(Archive& archive) const {
+        std::vector<bool> listed(Base::states(), false);
+        for (const StateId s : order_) {
+            archive.require(index(s) < listed.size() && !listed[index(s)] && this->at(s).seen, "the list of states is wrong");
+            listed[index(s)] = true;
+        }
+        for (std::size_t s = 0; s < listed.size(); ++s) {
+            archive.require(this->at(state_id(s)).seen == listed[s], "the list of states is incomplete");
+        }
+        for (const StateId s : exits_) {
+            archive.require(index(s) < listed.size() && leads_out_[index(s)] == 1, "the list of exits is wrong");
         }
     }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/transition.hpp>
 
 namespace sspql {
@@ -61,6 +62,21 @@ public:
     }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive) {
+        archive.fixed(entered_by_);
+        archive.fixed(hits_);
+        archive.fixed(trials_);
+        archive(last_action_, last_from_, last_arrival_);
+        archive.require(last_action_ == no_action || index(last_action_) < actions_, "the last action is none");
+        for (const std::uint64_t actions : entered_by_) {
+            archive.require(actions == 0 || (small() && (actions_ == 64 || actions >> actions_ == 0)),
+                            "a state was entered by no action");
+        }
+    }
+
     [[nodiscard]] bool small() const noexcept { return actions_ <= 64; }
 
     std::size_t actions_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/core/serialization.hpp>
 #include <sspql/learn/adaptive/optimism_scale.hpp>
 #include <sspql/paths/shortest_paths.hpp>
 
@@ -47,6 +48,17 @@ public:
     [[nodiscard]] double worth(StateId s) const noexcept { return worth_[index(s)]; }
 
 private:
+    friend SerializationAccess;
+
+    template <class Archive>
+    void serialize(Archive& archive, std::size_t states) {
+        archive(goals_, worth_);
+        if constexpr (Archive::loading) {
+            detail::require_goals(goals_, states);
+            for (const Goal& goal : goals_) archive.require(contains(goal.state), "a goal has no worth");
+        }
+    }
+
     static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
     std::vector<Goal> goals_;
