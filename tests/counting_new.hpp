@@ -15,10 +15,16 @@ namespace sspql_test {
 /// Calls of operator new so far.
 inline std::atomic<std::size_t> allocations{0};
 
+/// The most bytes that one of them asked for; set it back to 0 to begin anew.
+inline std::atomic<std::size_t> largest_allocation{0};
+
 }  // namespace sspql_test
 
 void* operator new(std::size_t bytes) {
     ++sspql_test::allocations;
+    std::size_t largest = sspql_test::largest_allocation;
+    while (bytes > largest && !sspql_test::largest_allocation.compare_exchange_weak(largest, bytes)) {
+    }
     if (void* memory = std::malloc(bytes == 0 ? 1 : bytes)) return memory;
     throw std::bad_alloc();
 }

@@ -21,7 +21,7 @@ bool is_large(std::string_view text) {
     std::size_t digits = 0;
     for (const char c : text) {
         if (std::isdigit(static_cast<unsigned char>(c)) != 0) {
-            ++digits;
+            if (digits > 0 || c != '0') ++digits;  // zeros that lead count for nothing
             continue;
         }
         if (digits >= 5 && digits <= 8) return true;

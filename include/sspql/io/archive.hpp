@@ -38,7 +38,7 @@ public:
     static constexpr bool loading = reads;
 
     template <class... T>
-    void operator()(T&... values) {
+    [[gnu::always_inline]] void operator()(T&... values) {
         (item(values), ...);
     }
 
@@ -97,7 +97,7 @@ private:
     static constexpr bool plain = (std::is_arithmetic_v<T> || std::is_enum_v<T>) && !std::is_same_v<T, bool>;
 
     template <class T>
-    void item(T& value) {
+    [[gnu::always_inline]] void item(T& value) {
         static_assert(!std::is_const_v<T>, "sspql: serialize is not a const member");
         if constexpr (std::is_same_v<T, bool>) {
             auto byte = static_cast<std::uint8_t>(value ? 1 : 0);
@@ -118,7 +118,7 @@ private:
     }
 
     template <class T>
-    void number(T& value) {
+    [[gnu::always_inline]] void number(T& value) {
         if (little_endian()) {
             self().bytes(&value, sizeof(T));
             return;

@@ -99,12 +99,13 @@ struct AgentArchive {
         serialize_states(writer, states);
     }
 
-    template <class Reader, class A>
-    static void read(Reader& reader, A& agent) {
+    /// \param finish reads what comes after, before the agent is touched.
+    template <class Reader, class A, class Finish>
+    static void read(Reader& reader, A& agent, const Finish& finish) {
         auto learner = read_learner(reader, agent.learner_);
         auto states = agent.states_;
         serialize_states(reader, states);
-        reader.finish();
+        finish();
         agent.states_ = std::move(states);
         agent.learner_ = std::move(learner);
     }
@@ -122,27 +123,40 @@ private:
     }
 };
 
-template <class Sink, class T>
-void write_checkpoint(Sink& sink, const T& object) {
+struct NoUserData {};
+
+template <class Sink, class T, class User>
+void write_checkpoint(Sink& sink, const T& object, const User& user) {
     CheckpointWriter<Sink> writer(sink);
     if constexpr (IsAgent<T>::value) {
         AgentArchive::write(writer, object);
     } else {
         write_learner(writer, object);
     }
+    if constexpr (!std::is_same_v<User, NoUserData>) {
+        writer.section("user", [&] { writer(const_cast<User&>(user)); });
+    }
     writer.finish();
 }
 
-template <class Source, class T>
-void read_checkpoint(Source& source, const std::string& name, T& object) {
+template <class Source, class T, class User>
+void read_checkpoint(Source& source, const std::string& name, T& object, User& user) {
     CheckpointReader<Source> reader(source, name);
+    User new_user = user;
+    const auto finish = [&] {
+        if constexpr (!std::is_same_v<User, NoUserData>) {
+            reader.section("user", [&] { reader(new_user); });
+        }
+        reader.finish();
+    };
     if constexpr (IsAgent<T>::value) {
-        AgentArchive::read(reader, object);
+        AgentArchive::read(reader, object, finish);
     } else {
         T learner = read_learner(reader, object);
-        reader.finish();
+        finish();
         object = std::move(learner);
     }
+    user = std::move(new_user);
 }
 
 }  // namespace detail
@@ -154,7 +168,16 @@ void read_checkpoint(Source& source, const std::string& name, T& object) {
 template <class T>
 void save(const T& learner_or_agent, const std::string& path) {
     AtomicFile file(path);
-    detail::write_checkpoint(file, learner_or_agent);
+    detail::write_checkpoint(file, learner_or_agent, detail::NoUserData{});
+    file.commit();
+}
+
+/// With something of yours that must never be out of step with what was learnt, such as the number of episodes: numbers,
+/// strings, vectors, types with a member serialize (core/serialization.hpp).
+template <class T, class User>
+void save(const T& learner_or_agent, const std::string& path, const User& user) {
+    AtomicFile file(path);
+    detail::write_checkpoint(file, learner_or_agent, user);
     file.commit();
 }
 
@@ -169,14 +192,22 @@ void save(const T& learner_or_agent, const std::string& path) {
 template <class T>
 void load(const std::string& path, T& learner_or_agent) {
     FileSource source(path);
-    detail::read_checkpoint(source, path, learner_or_agent);
+    detail::NoUserData none;
+    detail::read_checkpoint(source, path, learner_or_agent, none);
+}
+
+/// With what was saved besides; a file without it is refused.
+template <class T, class User>
+void load(const std::string& path, T& learner_or_agent, User& user) {
+    FileSource source(path);
+    detail::read_checkpoint(source, path, learner_or_agent, user);
 }
 
 /// The same in memory: the bytes of a file.
 template <class T>
 [[nodiscard]] std::string save_to_bytes(const T& learner_or_agent) {
     MemorySink sink;
-    detail::write_checkpoint(sink, learner_or_agent);
+    detail::write_checkpoint(sink, learner_or_agent, detail::NoUserData{});
     return std::move(sink.bytes());
 }
 
@@ -184,7 +215,8 @@ template <class T>
 template <class T>
 void load_from_bytes(std::string_view bytes, T& learner_or_agent, const std::string& name = "in memory") {
     MemorySource source(bytes);
-    detail::read_checkpoint(source, name, learner_or_agent);
+    detail::NoUserData none;
+    detail::read_checkpoint(source, name, learner_or_agent, none);
 }
 
 }  // namespace sspql

@@ -161,7 +161,13 @@ private:
         return detail::from_little_endian(four.data());
     }
 
-    void bytes(void* data, std::size_t size) {
+    [[gnu::always_inline]] void bytes(void* data, std::size_t size) {
+        if (size > filled_ - used_) return join(data, size);
+        std::memcpy(data, chunk_.data() + used_, size);
+        used_ += size;
+    }
+
+    [[gnu::noinline]] void join(void* data, std::size_t size) {
         auto* to = static_cast<unsigned char*>(data);
         while (size > 0) {
             if (used_ == filled_ && !next_chunk()) refuse("it holds less than this learner does");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -54,11 +55,18 @@ public:
     void require(bool /*ok*/, const char* /*text*/) const noexcept {}
 
 private:
-    void bytes(const void* data, std::size_t size) {
+    /// Inlined, a number costs a store.
+    [[gnu::always_inline]] void bytes(const void* data, std::size_t size) {
+        if (size > detail::largest_chunk - used_) return split(data, size);
+        std::memcpy(chunk_.data() + used_, data, size);
+        used_ += size;
+    }
+
+    [[gnu::noinline]] void split(const void* data, std::size_t size) {
         const auto* from = static_cast<const unsigned char*>(data);
         while (size > 0) {
-            if (used_ == chunk_.size()) flush();
-            const std::size_t n = size < chunk_.size() - used_ ? size : chunk_.size() - used_;
+            if (used_ == detail::largest_chunk) flush();
+            const std::size_t n = std::min(size, detail::largest_chunk - used_);
             std::memcpy(chunk_.data() + used_, from, n);
             used_ += n;
             from += n;

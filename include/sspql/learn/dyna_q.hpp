@@ -75,12 +75,10 @@ private:
     void serialize(Archive& archive) {
         Base::serialize(archive);
         archive.section("outcomes", [&] {
-            archive(last_);
+            SerializationAccess::serialize(last_, archive, Base::states());
             for (std::size_t i = 0; i < last_.size(); ++i) {
                 const Transition& t = last_.tried(i);
-                archive.require(index(t.state) < Base::states() && index(t.next) < Base::states() &&
-                                    this->model_.counts().n(t.state, t.action) > 0,
-                                "an outcome is not in the model");
+                archive.require(this->model_.counts().n(t.state, t.action) > 0, "an outcome is not in the model");
             }
             archive.require(last_.size() != 0 || this->model_.counts().pairs() == 0, "the list of outcomes is incomplete");
         });

@@ -76,13 +76,9 @@ private:
     void serialize(Archive& archive) {
         Base::serialize(archive);
         archive.section("outcomes", [&] {
-            archive(outcomes_, visited_, now_, operations_);
+            SerializationAccess::serialize(outcomes_, archive, Base::states());
+            archive(visited_, now_, operations_);
             archive.fixed(last_try_);
-            for (std::size_t i = 0; i < outcomes_.size(); ++i) {
-                const Transition& t = outcomes_.tried(i);
-                archive.require(index(t.state) < Base::states() && index(t.next) < Base::states(),
-                                "an outcome is of no state");
-            }
             for (const StateId s : visited_) {
                 archive.require(index(s) < Base::states() && (!Archive::loading || !visited_mark_[index(s)]),
                                 "the list of visited states is wrong");

@@ -52,13 +52,14 @@ private:
     friend SerializationAccess;
 
     template <class Archive>
-    void serialize(Archive& archive) {
+    void serialize(Archive& archive, std::size_t states) {
         archive(tried_);
         if constexpr (Archive::loading) {
             place_.clear();
             for (std::size_t i = 0; i < tried_.size(); ++i) {
                 const Transition& t = tried_[i];
-                archive.require(index(t.action) < actions_ && find(t.state, t.action) == nullptr,
+                archive.require(index(t.state) < states && index(t.next) < states && index(t.action) < actions_ &&
+                                    find(t.state, t.action) == nullptr,
                                 "the list of outcomes is wrong");
                 const std::size_t at = index(t.state) * actions_ + index(t.action);
                 if (place_.size() <= at) place_.resize((index(t.state) + 1) * actions_, none);

@@ -83,8 +83,7 @@ private:
         archive(degree);
         if (degree == 0) return;
         archive.require(degree <= counts.states(), "a state has too many successors");
-        std::vector<Number> totals(pairs.totals(s), pairs.totals(s) + counts.actions());
-        archive.fixed(totals);
+        for (std::size_t a = 0; a < counts.actions(); ++a) archive(pairs.totals(s)[a]);
         for (std::uint32_t place = 0; place < degree; ++place) {
             StateId next{};
             std::uint32_t slot = 0;
@@ -108,11 +107,8 @@ private:
             if (weighted) weight(pairs, archive, edge);
             cells(counts, archive, edge);
         }
-        if constexpr (Archive::loading) {
-            for (std::size_t a = 0; a < counts.actions(); ++a) {
-                archive.require(adds_up(counts, s, action_id(a), totals[a]), "a total is not the sum of its counts");
-                pairs.totals(s)[a] = totals[a];
-            }
+        for (std::size_t a = 0; Archive::loading && a < counts.actions(); ++a) {
+            archive.require(adds_up(counts, s, action_id(a)), "a total is not the sum of its counts");
         }
     }
 
@@ -147,10 +143,10 @@ private:
     }
 
     /// Faded counts are summed up in another order than they were added.
-    static bool adds_up(const Counts& counts, StateId s, ActionId a, Number total) {
+    static bool adds_up(const Counts& counts, StateId s, ActionId a) {
         double sum = 0.0;
         counts.for_each_n(s, a, [&](Number n) { sum += static_cast<double>(n); });
-        const auto told = static_cast<double>(total);
+        const auto told = static_cast<double>(counts.n(s, a));
         if constexpr (std::is_integral_v<Number>) return told == sum;
         return std::fabs(told - sum) <= 1e-6 * sum;
     }
