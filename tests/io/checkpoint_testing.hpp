@@ -54,7 +54,7 @@ private:
             const std::size_t next = random_.below(learner.states());
             learner.observe(state_id(s), action_id(random_.below(learner.actions())), 0.0, state_id(next), false);
         }
-        if (event == 5) {
+        if (event == 5 && learner.actions() > 1) {
             ActionSet mask = ActionSet::all(learner.actions());
             mask.erase(action_id(random_.below(learner.actions())));
             learner.set_legal_actions(state_id(at_), mask);

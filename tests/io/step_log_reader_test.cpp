@@ -69,17 +69,21 @@ TEST(StepLogReader, ReadsWeightsAndLineEndsOfOtherSystems) {
 
 // Cut at any byte, a log is one without its last line, and says so.
 TEST(StepLogReader, EveryBeginningOfALogIsALog) {
-    const std::string whole = header + "0,0,4,1,-0.1,5,0,0\n0,1,5,0,1,6,1,0\n1,0,6,2,-3e-7,6,0,1\n";
-    for (std::size_t size = 0; size <= whole.size(); ++size) {
-        SCOPED_TRACE(size);
-        const std::string cut = whole.substr(0, size);
-        std::size_t lines = 0;
-        for (const char c : cut) lines += c == '\n';
-        const Reading log = read(cut);
-        EXPECT_EQ(log.error, "no error");
-        EXPECT_EQ(log.content.steps, lines == 0 ? 0 : lines - 1);
-        EXPECT_EQ(log.content.cut_line, cut.empty() || cut.back() == '\n' ? 0 : lines + 1);
-        EXPECT_EQ(log.content.unfinished, lines == 2 ? 1u : 0u);
+    const std::string lf = header + "0,0,4,1,-0.1,5,0,0\n0,1,5,0,1,6,1,0\n1,0,6,2,-3e-7,6,0,1\n";
+    std::string crlf;
+    for (const char c : lf) crlf += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    for (const std::string& whole : {lf, crlf}) {
+        for (std::size_t size = 0; size <= whole.size(); ++size) {
+            SCOPED_TRACE(size);
+            const std::string cut = whole.substr(0, size);
+            std::size_t lines = 0;
+            for (const char c : cut) lines += c == '\n';
+            const Reading log = read(cut);
+            EXPECT_EQ(log.error, "no error");
+            EXPECT_EQ(log.content.steps, lines == 0 ? 0 : lines - 1);
+            EXPECT_EQ(log.content.cut_line, cut.empty() || cut.back() == '\n' ? 0 : lines + 1);
+            EXPECT_EQ(log.content.unfinished, lines == 2 ? 1u : 0u);
+        }
     }
 }
 
@@ -88,6 +92,7 @@ TEST(StepLogReader, OtherHeadersAreRefused) {
     EXPECT_EQ(read("s,a,next,p,reward,terminal\n").error, expected + "'s,a,next,p,reward,terminal'");
     EXPECT_EQ(read("a letter").error, expected + "'a letter'");
     EXPECT_EQ(read("\n").error, expected + "''");
+    EXPECT_EQ(read("episode\r").error, expected + "'episode?'");
     EXPECT_EQ(read(header.substr(0, header.size() - 2) + "\n").error,
               expected + "'episode,step,state,action,reward,next,te...'");
 }

@@ -134,6 +134,17 @@ TEST_F(StepLogTest, ContinuesALogCutAtAnyByte) {
     }
 }
 
+// Line ends of another system, cut between the two: the lines written from now on end as ours do.
+TEST_F(StepLogTest, ContinuesALogOfAnotherSystem) {
+    const std::string first = header.substr(0, header.size() - 1) + "\r";
+    set_content(path("run.csv"), first);
+    { StepLog(path("run.csv")).write(step(9, 0, 2.0, 9, true)); }
+    EXPECT_EQ(content(path("run.csv")), header + "0,0,9,0,2,9,1,0\n");
+    set_content(path("run.csv"), first + "\n0,0,9,0,2,9,1,0\r\n1,0,9,0,2,9,1,0\r");
+    { StepLog(path("run.csv")).write(step(9, 0, 2.0, 9, true)); }
+    EXPECT_EQ(content(path("run.csv")), first + "\n0,0,9,0,2,9,1,0\r\n1,0,9,0,2,9,1,0\n");
+}
+
 // What a power cut leaves in the place of what was not written yet: zeros.
 TEST_F(StepLogTest, ContinuesBehindALongTailOfZeros) {
     set_content(path("run.csv"), header + "4,0,4,1,-0.1,5,1,0\n5,0" + std::string(20000, '\0'));
@@ -154,6 +165,7 @@ TEST_F(StepLogTest, OtherFilesAreRefusedAndStay) {
     EXPECT_EQ(refusal("a letter\nto a friend"), expected + "'a letter'");
     EXPECT_EQ(refusal("a letter"), expected + "'a letter'");
     EXPECT_EQ(refusal("\n"), expected + "''");
+    EXPECT_EQ(refusal("episode\r"), expected + "'episode'");
     EXPECT_EQ(refusal(header + "0,0,4,1,-0.1,5,0\n"), name + " (last line):1:17: line has 7 fields, not 8");
     EXPECT_EQ(refusal(header + std::string(5000, 'x') + "\n1"),
               name + " (last line):1:257: line is longer than 256 bytes");
