@@ -4,8 +4,8 @@
 /// \file
 /// Everything, in the order data flows: an observation becomes a state, a state is counted, counts become a graph of
 /// expected costs, the graph shortest paths, the paths values, the values an action. Two things are slow to compile and
-/// left out: Boost.Graph's algorithms on the learnt graph (<sspql/paths/boost_graph.hpp>), and exact answers
-/// (<sspql/learn/exact_values.hpp>, <sspql/learn/exact_steps.hpp>).
+/// left out: Boost.Graph's algorithms on the learnt graph, and its search on our queues (<sspql/paths/boost_graph.hpp>,
+/// <sspql/paths/boost_queue.hpp>), and exact answers (<sspql/learn/exact_values.hpp>, <sspql/learn/exact_steps.hpp>).
 
 // core: ids, random numbers, errors
 #include <sspql/core/assert.hpp>
@@ -84,7 +84,10 @@
 
 // io: what was learnt, in files
 #include <sspql/io/checkpoint.hpp>
+#include <sspql/io/dot.hpp>
 #include <sspql/io/logged.hpp>
+#include <sspql/io/npy.hpp>
+#include <sspql/io/policy_csv.hpp>
 #include <sspql/io/replay.hpp>
 #include <sspql/io/step_log.hpp>
 
