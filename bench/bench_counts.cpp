@@ -107,22 +107,22 @@ int main(int argc, char** argv) {
     return tournament.run(argc, argv);
 }
 
-// Found (g++ 12, -O2, two shared and busy cores; medians of library / other, one run):
+// Found (g++ 12, -O2, one complete run on two shared cores with a load of 5 to 8; medians of library / other):
 //
 //     states                          1e3     1e4     1e5     1e6    bound
-//     record, known / floor          0.45    0.83    1.04    0.98     1.3
-//     record, growing / floor        1.03    1.08    1.26    1.56     1.5
-//     record, known / unordered_map  0.28    0.17    0.30    0.29
-//     record, known / eigen          0.32    0.64    0.77    0.72     room reserved for every outcome
-//     record, growing / unordered_map 0.46   0.43    0.35    0.35
-//     successor / floor              3.88    3.62    2.34    2.10
-//     outcomes of (s,a) / floor      1.46    3.01    2.06    1.86
-//     predecessor / floor            1.24    1.22    1.14    1.08
+//     record, known / floor          0.50    0.83    1.05    1.01     1.3
+//     record, growing / floor        1.01    1.12    1.25    1.56     1.5
+//     record, known / unordered_map  0.24    0.16    0.30    0.29
+//     record, known / eigen          0.35    0.64    0.77    0.74     room reserved for every outcome
+//     record, growing / unordered_map 0.46   0.39    0.36    0.38
+//     successor / floor              3.80    3.12    1.88    1.92
+//     outcomes of (s,a) / floor      1.26    2.36    1.84    1.99
+//     predecessor / floor            1.12    1.07    1.10    1.11
 //     bytes, CountCell               30.9    31.9    31.6    31.5      36
 //     bytes, FadingCell              88.6    90.7    90.3    90.2
 //     bytes, floor / unordered_map   30 / 41 30 / 39 30 / 37 30 / 35
 //
-// Eigen without reserve costs 143 ns a record at 1e3 states and 476 at 4e3, the library 42 and 49. A known record takes
+// Eigen without reserve costs 147 ns a record at 1e3 states and 487 at 4e3, the library 45 and 52. A known record takes
 // 52 instructions, with 1e4 states as with 1e6. Growing misses its bound by a hair at 1e6: the library meets its memory
 // untouched within the turn, the floor's was written when it was made. Scans in order of states pay for that layout: a
 // state's predecessors no longer lie next to the next state's, and successors carry all that a Successor can tell.

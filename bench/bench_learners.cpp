@@ -81,22 +81,23 @@ int main(int argc, char** argv) {
     return result;
 }
 
-// Found (g++ 12, -O2, two shared and busy cores; medians of library / floor, one to three runs each, of
-// versions that differ in details; no complete run of the last one):
+// Found (g++ 12, -O2, one complete run on two shared cores with a load of 6.5 to 8; medians of library / floor):
 //
-//     states                          64          1e4         1e6      bound
-//     q update                       1.26        1.30        1.19      1.15
-//     q-learning step              2.4-2.6     2.7-2.9        -          -
-//     sspql step                   1.0-1.2     1.2-1.4       1.40        2
-//     dyna-q planning step         1.3-1.6     1.2-1.4     0.9-1.2     1.3
-//     prioritized sweeping backup  1.47-1.50   1.25-1.29   1.19-1.24   1.5
+//     states                          64      1e4      1e6      bound
+//     q update                       1.29     1.33     1.18     1.15
+//     q-learning step                2.97     2.93     2.79
+//     sspql step                     1.24     1.43     1.46     2
+//     dyna-q planning step           1.35     1.09     0.93     1.3
+//     prioritized sweeping backup    1.47     1.25     1.23     1.5
 //
 // All values agreed to the last bit. Planning steps a step at which an episode of Dyna-Q costs as much as one of SSPQL:
 //
 //     steps of an episode            50         500        5000
-//     1e3 states                     12           8           1
-//     1e4 states                     24           5           2
-//     1e5 states                    170          25           4
+//     1e3 states                     15           8           1
+//     1e4 states                     28           7           3
+//     1e5 states                    166          28           4
 //
 // So SSPQL is cheaper than Dyna-Q with k = 50 in all but short episodes among 1e5 states, and than k = 0.2 |S| |A| by
-// far wherever both were run. The update of eq. 1 misses its bound; an instruction count of it stays below 50.
+// far (25 to 150 times) wherever both were run. Missed: the update of eq. 1, which takes 37 instructions (bound: 50),
+// the floor's 26, as it looks up the number of actions and whether there are masks; a planning step of Dyna-Q with all
+// in the first cache.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -28,55 +27,26 @@ using ProbabilityExpression = decltype(std::declval<const Probability&>()(
     std::declval<const TransitionCounts<CountCell>&>(), StateId{},
     std::declval<const TransitionCounts<CountCell>::Successor&>()));
 
-/// P(s'|s) for the successors of one state: policy(counts, s, successor).
+/// policy(counts, s, successor).
 template <class Probability, class Cell>
-class EdgeProbabilities {
-public:
-    EdgeProbabilities(const Probability& policy, const TransitionCounts<Cell>& counts, StateId s)
-        : policy_(policy), counts_(counts), s_(s) {}
-
-    double operator()(const typename TransitionCounts<Cell>::Successor& successor) const {
-        return policy_(counts_, s_, successor);
-    }
-
-private:
-    const Probability& policy_;
-    const TransitionCounts<Cell>& counts_;
-    StateId s_;
-};
+double edge_probability(const Probability& policy, const TransitionCounts<Cell>& counts, StateId s,
+                        const typename TransitionCounts<Cell>::Successor& successor) {
+    return policy(counts, s, successor);
+}
 
 /// The same sum to the bit, 0 for each action that did not lead there: with few actions, the divisions cost less than
-/// guessing which to skip. What is divided by is looked up once a state.
+/// guessing which to skip.
 template <class Cell>
-class EdgeProbabilities<SumOverActions, Cell> {
-public:
-    EdgeProbabilities(const SumOverActions& policy, const TransitionCounts<Cell>& counts, StateId s)
-        : policy_(policy), counts_(counts), s_(s), actions_(counts.actions()) {
-        if (actions_ > few) return;
-        for (std::size_t a = 0; a < actions_; ++a) {
-            const auto total = static_cast<double>(counts.n(s, action_id(a)));
-            total_[a] = total > 0.0 ? total : 1.0;
-        }
+double edge_probability(const SumOverActions& policy, const TransitionCounts<Cell>& counts, StateId s,
+                        const typename TransitionCounts<Cell>::Successor& successor) {
+    if (counts.actions() > 8) return policy(counts, s, successor);
+    double sum = 0.0;
+    for (std::size_t a = 0; a < counts.actions(); ++a) {
+        const auto total = static_cast<double>(counts.n(s, action_id(a)));
+        sum += static_cast<double>(successor.n(action_id(a))) / (total > 0.0 ? total : 1.0);
     }
-
-    double operator()(const typename TransitionCounts<Cell>::Successor& successor) const {
-        if (actions_ > few) return policy_(counts_, s_, successor);
-        double sum = 0.0;
-        for (std::size_t a = 0; a < actions_; ++a) {
-            sum += static_cast<double>(successor.n(action_id(a))) / total_[a];
-        }
-        return sum;
-    }
-
-private:
-    static constexpr std::size_t few = 8;
-
-    const SumOverActions& policy_;
-    const TransitionCounts<Cell>& counts_;
-    StateId s_;
-    std::size_t actions_;
-    std::array<double, few> total_;
-};
+    return sum;
+}
 
 /// f(s) for every dirty state. In a large graph the labels it will compare lie outside the caches, and are asked for
 /// ahead.
@@ -157,15 +127,14 @@ private:
     template <class Cell, class Changed>
     std::size_t refresh(TransitionCounts<Cell>& counts, StateId s, const Changed& changed) const {
         std::size_t edges = 0;
-        const detail::EdgeProbabilities<Probability, Cell> probability(probability_, counts, s);
         counts.for_each_successor(s, [&](const auto& successor) {
-            const double cost = cost_(successor.weight(), probability(successor));
+            const double cost = cost_(successor.weight(), detail::edge_probability(probability_, counts, s, successor));
             SSPQL_ASSERT(cost >= 0.0 && cost <= 1e300, "a CostPolicy's costs are finite and >= 0");
             ++edges;
             const double label = successor.label();
-            if (std::fabs(cost - label) <= tolerance_ * cost) return;  // not for NaN: no label yet
-            counts.set_label(successor, cost);
-            changed(successor.state(), label, cost);
+            const bool kept = std::fabs(cost - label) <= tolerance_ * cost;  // not for NaN: no label yet
+            counts.set_label(successor, kept ? label : cost);  // either way: nobody can predict which will change
+            if (!kept) changed(successor.state(), label, cost);
         });
         return edges;
     }
