@@ -66,6 +66,16 @@ TEST(LineReader, SplitsAtLineFeeds) {
     EXPECT_EQ(lines_of("a\n\nb"), (Lines{"a", "", "b"}));
 }
 
+TEST(LineReader, TellsWhetherALineHasAnEnd) {
+    std::istringstream in("a\n\r\nb");
+    sspql::LineReader reader(in, "f");
+    for (const bool ended : {true, true, false}) {
+        ASSERT_TRUE(reader.next());
+        EXPECT_EQ(reader.ended(), ended) << reader.number();
+    }
+    EXPECT_FALSE(reader.next());
+}
+
 TEST(LineReader, TakesCarriageReturnsOnlyFromLineEnds) {
     EXPECT_EQ(lines_of("a\r\nb\r\n"), (Lines{"a", "b"}));
     EXPECT_EQ(lines_of("\r\n"), Lines{""});

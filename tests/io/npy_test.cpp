@@ -95,8 +95,9 @@ TEST_F(NpyTest, CountsAreRowsInOrder) {
     save_npy(path("counts.npy"), counts);
     std::string header, data;
     split(content(path("counts.npy")), header, data);
-    EXPECT_EQ(header, "{'descr': [('s', '<i8'), ('a', '<i8'), ('next', '<i8'), ('n', '<i8'), ('weight', '<f8'), "
-                      "('terminal', '|b1')], 'fortran_order': False, 'shape': (3,), }");
+    EXPECT_EQ(header,
+              "{'descr': [('s', '<i8'), ('a', '<i8'), ('next', '<i8'), ('n', '<i8'), ('weight', '<f8'), "
+              "('terminal', '|b1')], 'fortran_order': False, 'shape': (3,), }");
     const auto row = [](int s, int a, int next, int n, double weight, bool terminal) {
         return bytes(std::int64_t{s}) + bytes(std::int64_t{a}) + bytes(std::int64_t{next}) + bytes(std::int64_t{n}) +
                bytes(weight) + std::string(1, terminal ? '\1' : '\0');
@@ -111,8 +112,9 @@ TEST_F(NpyTest, FadingCountsHaveFractionsAndRewards) {
     save_npy(path("counts.npy"), counts);
     std::string header, data;
     split(content(path("counts.npy")), header, data);
-    EXPECT_EQ(header, "{'descr': [('s', '<i8'), ('a', '<i8'), ('next', '<i8'), ('n', '<f8'), ('weight', '<f8'), "
-                      "('terminal', '|b1'), ('reward_sum', '<f8')], 'fortran_order': False, 'shape': (1,), }");
+    EXPECT_EQ(header,
+              "{'descr': [('s', '<i8'), ('a', '<i8'), ('next', '<i8'), ('n', '<f8'), ('weight', '<f8'), "
+              "('terminal', '|b1'), ('reward_sum', '<f8')], 'fortran_order': False, 'shape': (1,), }");
     EXPECT_EQ(data, bytes(std::int64_t{0}) + bytes(std::int64_t{11}) + bytes(std::int64_t{1}) + bytes(0.5) +
                         bytes(1.0) + "\1" + bytes(1.5));
 }

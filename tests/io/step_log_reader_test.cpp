@@ -58,8 +58,9 @@ TEST(StepLogReader, ReadsStepsAndCountsEpisodes) {
 }
 
 TEST(StepLogReader, ReadsWeightsAndLineEndsOfOtherSystems) {
-    const Reading log = read("episode,step,state,action,reward,next,terminated,truncated,weight\r\n"
-                             "0,0,4,1,-0.1,5,1,1,1e-30\r\n1,0,4,1,-0.1,5,1,1,1e30\r\n");
+    const Reading log = read(
+        "episode,step,state,action,reward,next,terminated,truncated,weight\r\n"
+        "0,0,4,1,-0.1,5,1,1,1e-30\r\n1,0,4,1,-0.1,5,1,1,1e30\r\n");
     EXPECT_EQ(log.error, "no error");
     ASSERT_EQ(log.steps.size(), 2u);
     EXPECT_EQ(log.steps[0].transition.weight, 1e-30);
@@ -106,8 +107,7 @@ TEST(StepLogReader, BadFieldsAreNamedWithTheirPlace) {
     EXPECT_EQ(error_of("4, 1,8,1,0,9,0,0"), "log:3:3: step must be a whole number from 0 on, got ' 1'");
     EXPECT_EQ(error_of("4,1,-8,1,0,9,0,0"), "log:3:5: state must be a whole number from 0 on, got '-8'");
     EXPECT_EQ(error_of("4,1,8,,0,9,0,0"), "log:3:7: action must be a whole number from 0 on, got ''");
-    EXPECT_EQ(error_of("4,1,8,4294967295,0,9,0,0"),
-              "log:3:7: action must be at most 4294967294, got '4294967295'");
+    EXPECT_EQ(error_of("4,1,8,4294967295,0,9,0,0"), "log:3:7: action must be at most 4294967294, got '4294967295'");
     EXPECT_EQ(error_of("4,1,8,1,nan,9,0,0"), "log:3:9: reward must be a finite number, got 'nan'");
     EXPECT_EQ(error_of("4,1,8,1,1e999,9,0,0"), "log:3:9: reward must be a finite number, got '1e999'");
     EXPECT_EQ(error_of("4,1,8,1,0x1,9,0,0"), "log:3:9: reward must be a finite number, got '0x1'");

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
-
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -23,8 +21,6 @@ namespace {
 namespace fs = std::filesystem;
 using testing::content;
 using testing::error_of;
-using testing::in_child;
-using testing::limit_files_to;
 using testing::set_content;
 
 using StepLogTest = testing::FileTest;
@@ -46,8 +42,9 @@ TEST_F(StepLogTest, OneLineAStep) {
     log.write(step(1, 2, -0.0, 1));
     EXPECT_EQ(log.episode(), 3u);
     log.close();
-    EXPECT_EQ(content(path("run.csv")), header + "0,0,4,1,-0.1,5,0,0\n0,1,5,0,1,6,1,0\n1,0,2,3,0,2,0,1\n"
-                                                 "2,0,7,0,1e+300,8,0,0\n3,0,1,2,-0,1,0,0\n");
+    EXPECT_EQ(content(path("run.csv")), header +
+                                            "0,0,4,1,-0.1,5,0,0\n0,1,5,0,1,6,1,0\n1,0,2,3,0,2,0,1\n"
+                                            "2,0,7,0,1e+300,8,0,0\n3,0,1,2,-0,1,0,0\n");
 }
 
 TEST_F(StepLogTest, WeightsAreAColumnIfAskedFor) {
@@ -58,11 +55,13 @@ TEST_F(StepLogTest, WeightsAreAColumnIfAskedFor) {
     t.weight = 2.5;
     log.write(t);
     log.close();
-    EXPECT_EQ(content(path("run.csv")), "episode,step,state,action,reward,next,terminated,truncated,weight\n"
-                                        "0,0,0,0,0.5,1,1,0,2.5\n");
+    EXPECT_EQ(content(path("run.csv")),
+              "episode,step,state,action,reward,next,terminated,truncated,weight\n"
+              "0,0,0,0,0.5,1,1,0,2.5\n");
     EXPECT_EQ(error_of<std::runtime_error>([&] { StepLog other(path("run.csv")); }),
-              path("run.csv") + ":1:1: header must be episode,step,state,action,reward,next,terminated,truncated to "
-                                "continue this log, got 'episode,step,state,action,reward,next,te...'");
+              path("run.csv") +
+                  ":1:1: header must be episode,step,state,action,reward,next,terminated,truncated to "
+                  "continue this log, got 'episode,step,state,action,reward,next,te...'");
 }
 
 TEST_F(StepLogTest, EveryStepOrEveryEpisodeIsThere) {
@@ -94,8 +93,15 @@ TEST_F(StepLogTest, LongEpisodesAreWrittenMeanwhile) {
 
 TEST_F(StepLogTest, RewardsComeBackBitByBit) {
     constexpr double largest = std::numeric_limits<double>::max();
-    const double rewards[] = {0.1,     1.0 / 3.0, -largest, largest, std::numeric_limits<double>::denorm_min(),
-                              -0.0,    123456789.123456789, 5e-324, 2.2250738585072011e-308,
+    const double rewards[] = {0.1,
+                              1.0 / 3.0,
+                              -largest,
+                              largest,
+                              std::numeric_limits<double>::denorm_min(),
+                              -0.0,
+                              123456789.123456789,
+                              5e-324,
+                              2.2250738585072011e-308,
                               0x1.fffffffffffffp-3};
     {
         StepLog log(path("run.csv"));
@@ -160,8 +166,8 @@ TEST_F(StepLogTest, OtherFilesAreRefusedAndStay) {
         EXPECT_EQ(content(name), text);
         return error;
     };
-    const std::string expected = name + ":1:1: header must be " + header.substr(0, header.size() - 1) +
-                                 " to continue this log, got ";
+    const std::string expected =
+        name + ":1:1: header must be " + header.substr(0, header.size() - 1) + " to continue this log, got ";
     EXPECT_EQ(refusal("a letter\nto a friend"), expected + "'a letter'");
     EXPECT_EQ(refusal("a letter"), expected + "'a letter'");
     EXPECT_EQ(refusal("\n"), expected + "''");
@@ -189,9 +195,7 @@ TEST_F(StepLogTest, BadStepsAreRefusedAndNotLogged) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     StepLog log(path("run.csv"));
     log.write(step(0, 0, 0.0, 1));
-    const auto refusal = [&](const Transition& t) {
-        return error_of<std::invalid_argument>([&] { log.write(t); });
-    };
+    const auto refusal = [&](const Transition& t) { return error_of<std::invalid_argument>([&] { log.write(t); }); };
     EXPECT_EQ(refusal(step(2, 0, 0.0, 1)), "state must be where the last step led, 1, got 2");
     EXPECT_EQ(refusal(step(1, 0, infinity, 1)), "reward must be finite, got inf");
     EXPECT_EQ(refusal({state_id(1), no_action, 0.0, state_id(1)}), "action must be an action's id, got 4294967295");
@@ -203,50 +207,6 @@ TEST_F(StepLogTest, BadStepsAreRefusedAndNotLogged) {
     EXPECT_EQ(content(path("run.csv")), header + "0,0,0,0,0,1,0,0\n0,1,1,0,0,1,1,0\n");
     EXPECT_EQ(error_of<std::logic_error>([&] { log.write(step(1, 0, 0.0, 1)); }),
               "StepLog: " + path("run.csv") + " was closed before");
-}
-
-// The disk is full in the middle of a line; then there is room again. Nothing is missing and nothing twice.
-TEST_F(StepLogTest, AFullDiskIsReportedAndCaughtUpWith) {
-    const std::string name = path("run.csv");
-    EXPECT_TRUE(in_child([&] {
-        StepLogOptions options;
-        options.flush = LogFlush::every_step;
-        StepLog log(name, options);
-        if (!limit_files_to(header.size() + 20)) return false;
-        log.write(step(0, 0, 0.0, 1));
-        const std::string expected = "cannot write " + name + ": File too large";
-        if (error_of<std::runtime_error>([&] { log.write(step(1, 0, 0.0, 2)); }) != expected) return false;
-        if (error_of<std::runtime_error>([&] { log.write(step(2, 0, 0.0, 3, true)); }) != expected) return false;
-        if (!limit_files_to(1 << 20)) return false;
-        log.write(step(7, 0, 0.0, 8));
-        return true;
-    }));
-    EXPECT_EQ(content(name), header + "0,0,0,0,0,1,0,0\n0,1,1,0,0,2,0,0\n0,2,2,0,0,3,1,0\n1,0,7,0,0,8,0,0\n");
-}
-
-// A caller that ignores the errors is refused in the end; up to there every step is kept.
-TEST_F(StepLogTest, WhatAFullDiskKeepsBackIsBounded) {
-    std::size_t kept = 0;
-    {
-        StepLogOptions options;
-        options.synchronise = false;
-        StepLog log(path("run.csv"), options);
-        rlimit before{};
-        ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
-        ASSERT_TRUE(limit_files_to(1000));
-        for (;; ++kept) {  // a step that was not kept leaves the next one without its beginning
-            ASSERT_LT(kept, 60000u);
-            const auto write = [&] { log.write(step(kept, 0, 0.0, kept + 1)); };
-            if (error_of<std::invalid_argument>(write).rfind("state must be where", 0) == 0) break;
-        }
-        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
-        --kept;
-        EXPECT_GT(kept, 30000u);
-        log.write(step(kept, 0, 0.0, kept + 1));
-    }
-    const StepLogContent log = for_each_step(path("run.csv"), [](const LoggedStep&) {});
-    EXPECT_EQ(log.steps, kept + 1);
-    EXPECT_EQ(log.cut_line, 0u);
 }
 
 }  // namespace

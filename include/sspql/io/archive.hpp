@@ -196,6 +196,7 @@ private:
     template <class List>
     void elements(List& values) {
         using T = typename List::value_type;
+        if (values.empty()) return;  // data() may be null
         if constexpr (plain<T>) {
             if (little_endian()) return self().bytes(values.data(), values.size() * sizeof(T));
         }

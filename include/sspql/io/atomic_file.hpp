@@ -18,7 +18,8 @@
 namespace sspql {
 
 /// A file that is replaced whole or not at all: what is written goes to a new file in the same directory, and commit()
-/// puts that in the old one's place. Whoever opens `path`, even after a power cut, finds the old content or the new one.
+/// puts that in the old one's place. Whoever opens `path`, even after a power cut, finds the old content or the new
+/// one.
 ///
 ///     AtomicFile file("robot.sspql");
 ///     file.write(data, size);   ...

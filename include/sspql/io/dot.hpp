@@ -112,8 +112,9 @@ private:
         file_.write("];\n  node [fontname=\"Helvetica\", fontsize=11, color=\"#5f6b7a\", ");
         file_.write(options_.label ? "shape=box, style=\"filled,rounded\", margin=\"0.08,0.04\"];\n"
                                    : "shape=circle, style=filled, fixedsize=true, width=0.62];\n");
-        file_.write("  edge [color=\"#c3c9d1\", penwidth=0.6, arrowsize=0.45, fontname=\"Helvetica\", fontsize=9, "
-                    "fontcolor=\"#8a3324\", constraint=false];\n");
+        file_.write(
+            "  edge [color=\"#c3c9d1\", penwidth=0.6, arrowsize=0.45, fontname=\"Helvetica\", fontsize=9, "
+            "fontcolor=\"#8a3324\", constraint=false];\n");
     }
 
     void write_state(StateId s) {

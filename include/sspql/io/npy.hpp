@@ -109,9 +109,8 @@ void save_npy(const std::string& path, const TransitionCounts<Cell>& counts) {
                 rows.push_back({a, successor.state(), &cell, successor.weight()});
             });
         });
-        std::sort(rows.begin(), rows.end(), [](const Row& x, const Row& y) {
-            return std::make_pair(x.a, x.next) < std::make_pair(y.a, y.next);
-        });
+        std::sort(rows.begin(), rows.end(),
+                  [](const Row& x, const Row& y) { return std::make_pair(x.a, x.next) < std::make_pair(y.a, y.next); });
     };
 
     std::size_t size = 0;

@@ -54,8 +54,8 @@ std::string path_fields(const Learner& learner, StateId s) {
 ///
 /// One line a state, ascending: how often its actions were learnt from, the action that best() answers, Q of it, the
 /// next state on the shortest path known and that path's length. The last two are empty where the learner keeps no
-/// paths, at a goal, or where no path is known. Texts are quoted as RFC 4180 wants it, numbers have the digits that give
-/// the same double again, lines end with LF. Written whole or not at all (AtomicFile). O(states x actions).
+/// paths, at a goal, or where no path is known. Texts are quoted as RFC 4180 wants it, numbers have the digits that
+/// give the same double again, lines end with LF. Written whole or not at all (AtomicFile). O(states x actions).
 /// \throws std::runtime_error "cannot write PATH: REASON", and what best() throws.
 template <class Learner>
 auto save_policy_csv(const std::string& path, const Learner& learner, const PolicyLabels& labels = {})

@@ -41,9 +41,8 @@ template <class WriteSome>
 
 /// Writes all of it. \returns 0 or an errno.
 [[nodiscard]] inline int write_all(int descriptor, const char* data, std::size_t size) {
-    return write_with(data, size, [descriptor](const char* from, std::size_t n) {
-        return ::write(descriptor, from, n);
-    });
+    return write_with(data, size,
+                      [descriptor](const char* from, std::size_t n) { return ::write(descriptor, from, n); });
 }
 
 /// Writes all of it, from this place in the file on. \returns 0 or an errno.

@@ -27,8 +27,9 @@ void require_ids_of(const Learner& learner, const StepLogReader& log) {
             return;
         }
         const std::string number = std::to_string(states);
-        log.fail(field, std::string(name) + (learner.grows() ? " must be at most the learner's number of states so far, "
-                                                             : " must be below the learner's number of states, ") +
+        log.fail(field, std::string(name) +
+                            (learner.grows() ? " must be at most the learner's number of states so far, "
+                                             : " must be below the learner's number of states, ") +
                             number + ", got '" + std::to_string(index(s)) + "'");
     };
     require_state(step.state, 2, "state");
@@ -61,8 +62,8 @@ void live_through(Learner& learner, const StepLogReader& log) {
 /// Learns from a step log as if the learner had lived through it: begin, step and end are called as they were when the
 /// log was written, and wherever the learner would have acted differently, replace_action. A new learner with the
 /// parameters and the seed of the one that wrote the log from its first step on ends up as its copy, bit for bit, if
-/// nothing but logged steps happened (no set_goals, teach, observe, other masks, episode dropped before its first step). Another learner, with other parameters, ends
-/// up with what it makes of the same experience.
+/// nothing but logged steps happened (no set_goals, teach, observe, other masks, no episode dropped before its first
+/// step). Another learner, with other parameters, ends up with what it makes of the same experience.
 ///
 /// One line at a time is held in memory. A growing learner takes ids in the order of discovery.
 /// \throws std::runtime_error "NAME:LINE:COLUMN: ..." for what StepLogReader refuses and for ids that the learner does

@@ -36,8 +36,8 @@ enum class LogFlush {
 /// How a StepLog writes.
 struct StepLogOptions {
     LogFlush flush = LogFlush::every_episode;
-    /// Wait for the disk (fsync) at each flush. Else a power cut also loses what the system holds back, some 30 seconds;
-    /// a crash of the program does not.
+    /// Wait for the disk (fsync) at each flush. Else a power cut also loses what the system holds back, some 30
+    /// seconds; a crash of the program does not.
     bool synchronise = true;
     bool weights = false;  ///< a ninth column for Transition::weight, which must be 1 otherwise
 };
@@ -58,7 +58,8 @@ struct StepLogOptions {
 /// removed. Whole lines are handed over in one write(). States are logged as ids: with a HashedState, whose ids come in
 /// order of discovery, a log belongs to the policy's own saved keys. Legal actions and goals are not in a log.
 ///
-/// A write costs some 100 ns besides the disk. Memory: 64 KiB. One process at a time; one object per thread.
+/// A write costs less than half a microsecond besides the disk. Memory: 64 KiB. One process at a time; one object per
+/// thread.
 ///
 /// \throws std::runtime_error "cannot write PATH: REASON" from every member: a full disk, a log that another process
 /// writes, a file that is no regular one. Steps that could not be written are kept and tried again with the next call,
@@ -211,13 +212,13 @@ private:
     std::string path_;
     StepLogOptions options_;
     detail::FileDescriptor file_;
-    std::string buffer_;             // whole lines
-    std::uint64_t size_ = 0;         // of the file, without what failed to be written
-    std::uint64_t episode_ = 0;      // running, or next
-    std::uint64_t step_ = 0;         // next
-    StateId last_ = no_state;        // where the last step led
-    bool running_ = false;           // an episode
-    bool unsynchronised_ = false;    // written, but not on the disk for certain
+    std::string buffer_;           // whole lines
+    std::uint64_t size_ = 0;       // of the file, without what failed to be written
+    std::uint64_t episode_ = 0;    // running, or next
+    std::uint64_t step_ = 0;       // next
+    StateId last_ = no_state;      // where the last step led
+    bool running_ = false;         // an episode
+    bool unsynchronised_ = false;  // written, but not on the disk for certain
 };
 
 }  // namespace sspql

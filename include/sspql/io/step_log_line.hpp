@@ -31,6 +31,14 @@ inline constexpr std::string_view step_log_header = "episode,step,state,action,r
 inline constexpr std::string_view weighted_step_log_header =
     "episode,step,state,action,reward,next,terminated,truncated,weight";
 
+/// Whether a header begins so, CRLF included: what is left of a log that was cut off in its first line.
+inline bool begins_step_log(std::string_view text) noexcept {
+    const bool whole = !text.empty() && text.back() == '\r';
+    if (whole) text.remove_suffix(1);
+    return whole ? text == step_log_header || text == weighted_step_log_header
+                 : weighted_step_log_header.substr(0, text.size()) == text;
+}
+
 /// Longer than any line of a step log: 20 + 20 + 10 + 10 + 24 + 10 + 1 + 1 + 24 characters and 8 commas.
 inline constexpr std::size_t step_log_max_line = 256;
 

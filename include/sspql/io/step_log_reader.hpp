@@ -80,8 +80,7 @@ private:
     bool next_line() {
         if (!lines_.next()) return false;
         if (lines_.ended()) return true;
-        const std::string_view line = lines_.line();
-        if (lines_.number() == 1 && detail::weighted_step_log_header.substr(0, line.size()) != line) fail_header();
+        if (lines_.number() == 1 && !detail::begins_step_log(lines_.line())) fail_header();
         content_.cut_line = lines_.number();
         return false;
     }

@@ -30,7 +30,8 @@ inline std::string read_bytes(int descriptor, const std::string& path, std::uint
     std::string bytes(static_cast<std::size_t>(to - from), '\0');
     std::size_t size = 0;
     while (size < bytes.size()) {
-        const ssize_t n = ::pread(descriptor, bytes.data() + size, bytes.size() - size, static_cast<off_t>(from + size));
+        const ssize_t n =
+            ::pread(descriptor, bytes.data() + size, bytes.size() - size, static_cast<off_t>(from + size));
         if (n == 0) break;
         if (n > 0) {
             size += static_cast<std::size_t>(n);
@@ -58,13 +59,14 @@ inline std::uint64_t episode_after(const std::string& line, bool weights, const 
 inline StepLogTail read_step_log_tail(int descriptor, const std::string& path, bool weights) {
     const std::string_view header = weights ? weighted_step_log_header : step_log_header;
     const std::string first = read_bytes(descriptor, path, 0, weighted_step_log_header.size() + 2);
-    if (first.find('\n') == std::string::npos && weighted_step_log_header.substr(0, first.size()) == first) return {};
-    std::string_view line = std::string_view(first).substr(0, first.find('\n'));
+    const std::size_t line_end = first.find('\n');
+    if (line_end == std::string::npos && begins_step_log(first)) return {};
+    std::string_view line = std::string_view(first).substr(0, line_end);
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    if (line != header) {
+    if (line_end == std::string::npos || line != header) {
         throw_at(path, 1, 1, "header must be " + std::string(header) + " to continue this log, got " + quoted(line));
     }
-    const std::uint64_t header_size = first.find('\n') + 1;
+    const std::uint64_t header_size = line_end + 1;
 
     // Backwards to the last line end but one: between the two is the last whole line.
     constexpr std::uint64_t block_size = 4096;
@@ -72,7 +74,7 @@ inline StepLogTail read_step_log_tail(int descriptor, const std::string& path, b
     if (file_size < 0) throw_cannot_write(path, errno);
     std::uint64_t end = 0;  // behind the last line end
     std::uint64_t to = static_cast<std::uint64_t>(file_size);
-    std::string text;       // of [to, end)
+    std::string text;  // of [to, end)
     for (;;) {
         const std::uint64_t from = to - std::min(to, block_size);
         const std::string block = read_bytes(descriptor, path, from, to);
@@ -85,10 +87,10 @@ inline StepLogTail read_step_log_tail(int descriptor, const std::string& path, b
             text.insert(0, block);
         }
         to = from;
-        if (end == 0) continue;  // the header has one, at the latest
+        if (end == 0 && to > 0) continue;  // the header has one, at the latest
         if (end == header_size) return {end, 0};
         const std::size_t begin = text.size() < 2 ? std::string::npos : text.rfind('\n', text.size() - 2);
-        if (begin == std::string::npos && text.size() <= step_log_max_line) continue;
+        if (begin == std::string::npos && text.size() <= step_log_max_line && to > 0) continue;
         return {end, episode_after(begin == std::string::npos ? text : text.substr(begin + 1), weights, path)};
     }
 }

@@ -65,6 +65,30 @@ template <class Allowed, class Score>
     return best;
 }
 
+/// One of the allowed actions of the largest score, up to `tolerance` of it, each with the same probability: one draw for
+/// each equal beyond the first. no_action if none is allowed.
+template <class Allowed, class Score>
+[[nodiscard]] ActionId random_argmax(std::size_t actions, const Allowed& allowed, const Score& score, Random& random,
+                                     double tolerance) {
+    ActionId best = no_action;
+    double best_score = 0.0;
+    std::size_t equals = 0;  // reservoir of one: the k-th equal replaces the choice with probability 1/k
+    for (std::size_t i = 0; i < actions; ++i) {
+        const ActionId a = action_id(i);
+        if (!allowed.contains(a)) continue;
+        const double value = score(a);
+        const double margin = tolerance > 0.0 ? tolerance * std::fabs(best_score) : 0.0;  // infinite scores are equal too
+        if (equals == 0 || value > best_score + margin) {
+            best = a;
+            best_score = value;
+            equals = 1;
+        } else if (value >= best_score - margin && random.below(++equals) == 0) {
+            best = a;
+        }
+    }
+    return best;
+}
+
 }  // namespace detail
 
 /// Whether S can be called as a Selector.
@@ -175,22 +199,8 @@ public:
     [[nodiscard]] ActionId operator()(std::size_t actions, const Allowed& allowed, const Score& score,
                                       Random& random) const {
         const bool explore = random.chance(epsilon_);
-        ActionId best = no_action;
-        double best_score = 0.0;
-        std::size_t equals = 0;  // reservoir of one: the k-th equal replaces the choice with probability 1/k
-        for (std::size_t i = 0; i < actions; ++i) {
-            const ActionId a = action_id(i);
-            if (!allowed.contains(a)) continue;
-            const double value = explore ? 0.0 : score(a);
-            if (equals == 0 || value > best_score) {
-                best = a;
-                best_score = value;
-                equals = 1;
-            } else if (value == best_score && random.below(++equals) == 0) {
-                best = a;
-            }
-        }
-        return best;
+        return detail::random_argmax(
+            actions, allowed, [&](ActionId a) { return explore ? 0.0 : score(a); }, random, 0.0);
     }
 
     template <class Allowed, class Score, class Value>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 
 #include <sspql/core/ids.hpp>
 #include <sspql/core/random.hpp>
+#include <sspql/learn/action_selector.hpp>
 
 namespace sspql {
 
@@ -19,23 +19,7 @@ public:
     template <class Allowed, class Score>
     [[nodiscard]] ActionId operator()(std::size_t actions, const Allowed& allowed, const Score& score,
                                       Random& random) const {
-        ActionId best = no_action;
-        double best_score = 0.0;
-        std::size_t equals = 0;  // reservoir of one: the k-th equal replaces the choice with probability 1/k
-        for (std::size_t i = 0; i < actions; ++i) {
-            const ActionId a = action_id(i);
-            if (!allowed.contains(a)) continue;
-            const double value = score(a);
-            const double margin = tolerance * std::fabs(best_score);
-            if (equals == 0 || value > best_score + margin) {
-                best = a;
-                best_score = value;
-                equals = 1;
-            } else if (value >= best_score - margin && random.below(++equals) == 0) {
-                best = a;
-            }
-        }
-        return best;
+        return detail::random_argmax(actions, allowed, score, random, tolerance);
     }
 };
 

@@ -21,6 +21,9 @@
 
 namespace sspql {
 
+/// The largest reward and the largest cost of a step.
+inline constexpr double max_reward = 1e100;
+
 /// The interface all learners share: ids in, ids out, no environment in sight. An episode is
 ///
 ///     a = begin(s);                       choose the first action
@@ -32,8 +35,9 @@ namespace sspql {
 /// it was, and the right call can follow.
 ///
 /// Errors: std::logic_error for calls in a wrong order; std::invalid_argument for an id outside, a reward that is NaN or
-/// infinite, a weight outside [1e-30, 1e30], a mask without actions; std::runtime_error where a user's LegalActions
-/// allow nothing. Threads: none inside; one thread per learner, const members may run together.
+/// beyond 1e100 either way (sums of larger ones could overflow), a weight outside [1e-30, 1e30], a mask without actions;
+/// std::runtime_error where a user's LegalActions allow nothing. Threads: none inside; one thread per learner, const
+/// members may run together.
 ///
 /// For implementers (CRTP). Derived supplies, to this base as a friend:
 ///     void add_states(std::size_t n)        make room for n states in all
@@ -241,6 +245,7 @@ private:
 
     static void require_outcome(double reward, double weight) {
         require_finite("reward", reward);
+        require_in("reward", reward, -max_reward, max_reward);
         require_in("weight", weight, min_weight, max_weight);
     }
 
