@@ -153,6 +153,8 @@ void HtmlPage::picture_row(const std::vector<Svg>& pictures) {
     body_ += "</div>\n";
 }
 
+void HtmlPage::markup(const std::string& html) { body_ += html; }
+
 std::string HtmlPage::text(const Manifest& manifest, const std::vector<Setting>& settings) const {
     std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
     out += "<meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n";

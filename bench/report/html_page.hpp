@@ -35,7 +35,7 @@ struct HtmlFigure {
     std::string caption;
 };
 
-/// Collects the page's parts in order. Every text is escaped.
+/// Collects the page's parts in order. Every text is escaped, but for `markup`.
 class HtmlPage {
 public:
     explicit HtmlPage(std::string title);
@@ -48,6 +48,7 @@ public:
     void figure(const HtmlFigure& figure);
     void figure_row(const std::vector<HtmlFigure>& figures);  ///< beside each other where there is room
     void picture_row(const std::vector<Svg>& pictures);       ///< many small ones, without captions
+    void markup(const std::string& html);  ///< as it is: only what the program itself wrote, every text in it escaped
 
     /// The page, with a footer from which it can be made again.
     [[nodiscard]] std::string text(const Manifest& manifest, const std::vector<Setting>& settings) const;

@@ -23,6 +23,7 @@
 ///     Move rotate(double angle_rad)                         turns on the spot, > 0 to the left
 ///     Pose robot() const, Pose box() const                  arena frame, headings in (-pi, pi]
 ///     Point goal() const                                    as given to reset; no body
+///     void set_guard(bool)                                  the collision guard of translations, see PusherParams
 ///     void set_path_recording(bool), path() const           the robot's poses since reset, for pictures; off at first
 ///
 /// A move ends early where the guard, the fence, a contact or a stall stops it: that is an outcome, no error. Same
@@ -79,7 +80,7 @@ inline void require_start(const PusherParams& params, const Pose& robot, const P
 
 }  // namespace detail
 
-/// Whether B has the concept's members (the recording of paths is optional).
+/// Whether B has the concept's members (the guard's switch and the recording of paths are optional).
 template <class B>
 inline constexpr bool is_pusher_backend_v = sspql::detail::is_detected_v<detail::BackendExpressions, B>;
 

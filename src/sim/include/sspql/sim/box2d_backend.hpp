@@ -132,6 +132,9 @@ public:
     [[nodiscard]] const Point& goal() const noexcept { return goal_; }
     [[nodiscard]] const PusherParams& params() const noexcept { return params_; }
 
+    /// Switches the guard on or off from the next move on: pushing means touching.
+    void set_guard(bool on) noexcept { params_.guard = on; }
+
     /// Whether `path` grows: from now on, by the robot's pose after every time step.
     void set_path_recording(bool on) {
         recording_ = on;
@@ -172,10 +175,10 @@ private:
     /// Whether a sonar reads too little. The rays are cast only where the body's gap makes that possible.
     [[nodiscard]] bool is_guarded(const Point& here, const Direction& heading, bool forward) const noexcept {
         const double clearance = params_.guard_clearance_m;
-        const Pose pose{here.x_m, here.y_m, 0.0};
-        const Point box = point_of(*box_body_);
-        const bool box_near = distance_m(here, box) <= reach_m_ + clearance;
-        if (!box_near && wall_gap_m(params_.body, pose, params_.arena_half_side_m) > clearance) return false;
+        const bool box_near = distance_m(here, point_of(*box_body_)) <= reach_m_ + clearance;
+        if (!box_near && circle_wall_gap(here, reach_m(params_.body), params_.arena_half_side_m) > clearance) {
+            return false;
+        }
         const Square square = square_at(pose_of(*box_body_), params_.box_side_m);
         return guard_.reading_m(here, heading, forward, square) <= clearance;
     }
@@ -218,7 +221,7 @@ private:
         b2Body* ground = add_walls();
         robot_body_ = add_robot(robot);
         box_body_ = add_box(box, *ground);
-        reach_m_ = params_.body.radius_m + params_.box_side_m * 0.7072;
+        reach_m_ = reach_m(params_.body) + params_.box_side_m * 0.7072;
         goal_ = goal;
         come_to_rest();
     }
@@ -248,12 +251,22 @@ private:
 
     b2Body* add_robot(const Pose& pose) {
         b2Body* body = add_body(pose);
-        const double radius = params_.body.radius_m;
+        const RobotBody& outline = params_.body;
         b2CircleShape circle;
-        circle.m_radius = static_cast<float>(radius);
+        circle.m_radius = static_cast<float>(outline.radius_m);
+        b2PolygonShape rectangle;
         b2FixtureDef fixture;
+        double area = pi * outline.radius_m * outline.radius_m;
         fixture.shape = &circle;
-        fixture.density = static_cast<float>(params_.robot_mass_kg / (pi * radius * radius));
+        if (outline.shape == BodyShape::rectangle) {
+            const double skin = static_cast<double>(b2_polygonRadius);  // Box2D adds it around every polygon
+            const double half_length = std::max(outline.length_m / 2.0 - skin, skin);
+            const double half_width = std::max(outline.width_m / 2.0 - skin, skin);
+            rectangle.SetAsBox(static_cast<float>(half_length), static_cast<float>(half_width));
+            area = 4.0 * half_length * half_width;
+            fixture.shape = &rectangle;
+        }
+        fixture.density = static_cast<float>(params_.robot_mass_kg / area);
         fixture.friction = static_cast<float>(params_.box_contact_friction);
         body->CreateFixture(&fixture);
         return body;

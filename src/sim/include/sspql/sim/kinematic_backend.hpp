@@ -85,18 +85,24 @@ public:
         return {forward ? gone : -gone, stop};
     }
 
-    /// A turn on the spot; nothing stops a circle. \throws std::invalid_argument unless the angle is finite.
+    /// A turn on the spot; nothing stops a circle. A rectangle ends where a corner touches, walked by safe leaps of at
+    /// least 2 mm of its reach. \throws std::invalid_argument unless the angle is finite.
     Move rotate(double angle_rad) {
         require_finite("angle_rad", angle_rad);
-        robot_.heading_rad = wrap_angle(robot_.heading_rad + angle_rad);
+        Move move{angle_rad, Stop::done};
+        if (params_.body.shape != BodyShape::circle) move = free_turn(angle_rad);
+        robot_.heading_rad = wrap_angle(robot_.heading_rad + move.amount);
         record();
-        return {angle_rad, Stop::done};
+        return move;
     }
 
     [[nodiscard]] const Pose& robot() const noexcept { return robot_; }
     [[nodiscard]] const Pose& box() const noexcept { return box_; }
     [[nodiscard]] const Point& goal() const noexcept { return goal_; }
     [[nodiscard]] const PusherParams& params() const noexcept { return params_; }
+
+    /// Switches the guard on or off from the next move on: pushing means touching.
+    void set_guard(bool on) noexcept { params_.guard = on; }
 
     /// Whether `path` grows: from now on, by the pose after every move.
     void set_path_recording(bool on) {
@@ -112,10 +118,27 @@ private:
     static constexpr double guarded_leap_m = 0.005;
     static constexpr double free_leap_m = 0.002;
 
-    [[nodiscard]] double gap_at(const Point& p) const noexcept {
-        const Pose pose{p.x_m, p.y_m, robot_.heading_rad};
+    [[nodiscard]] double gap_at(const Point& p) const noexcept { return gap_at({p.x_m, p.y_m, robot_.heading_rad}); }
+
+    [[nodiscard]] double gap_at(const Pose& pose) const noexcept {
         return std::min(box_gap_m(params_.body, pose, square_),
                         wall_gap_m(params_.body, pose, params_.arena_half_side_m));
+    }
+
+    /// How much of a turn a rectangle can make.
+    [[nodiscard]] Move free_turn(double angle_rad) const noexcept {
+        const double wanted = std::fabs(angle_rad);
+        const double side = angle_rad < 0.0 ? -1.0 : 1.0;
+        double gone = 0.0;
+        double gap = gap_at(robot_);
+        while (gone < wanted) {
+            const double next = std::min(gone + std::max(gap, free_leap_m) / reach_m(params_.body), wanted);
+            const double next_gap = gap_at({robot_.x_m, robot_.y_m, robot_.heading_rad + side * next});
+            if (next_gap < 0.0 && next_gap < gap) return {side * gone, Stop::contact};
+            gone = next;
+            gap = next_gap;
+        }
+        return {angle_rad, Stop::done};
     }
 
     void record() {

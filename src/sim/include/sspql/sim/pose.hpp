@@ -89,4 +89,16 @@ struct Direction {
     return std::sqrt(dx * dx + dy * dy);
 }
 
+/// Where a point is as seen from a pose: the angle from its heading, in (-pi, pi].
+[[nodiscard]] inline double bearing_rad(const Pose& from, const Point& to) noexcept {
+    return wrap_angle(std::atan2(to.y_m - from.y_m, to.x_m - from.x_m) - from.heading_rad);
+}
+
+/// A pose given in the frame of another one (its origin and +x axis), in that one's own frame.
+[[nodiscard]] inline Pose from_frame(const Pose& frame, const Pose& pose) noexcept {
+    const Direction d = direction(frame.heading_rad);
+    return {frame.x_m + pose.x_m * d.x - pose.y_m * d.y, frame.y_m + pose.x_m * d.y + pose.y_m * d.x,
+            wrap_angle(frame.heading_rad + pose.heading_rad)};
+}
+
 }  // namespace sspql::sim

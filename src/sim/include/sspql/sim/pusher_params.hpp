@@ -10,8 +10,9 @@
 
 namespace sspql::sim {
 
-/// How many of PusherParams::start_places an 'approach' episode starts from.
-enum class Starts { one, two };
+/// Where an 'approach' episode starts: at the first of PusherParams::start_places, at either of the two, or anywhere
+/// inside the fence, looking anywhere.
+enum class Starts { one, two, anywhere };
 
 /// Every number of the box pusher's world (section 4 of the paper gives only the actions and the 12 x 3 x 12 states;
 /// the others are ours, tuned so that the task is well-posed). The defaults are those of the learning study: a circular

@@ -27,10 +27,11 @@ struct PusherObservation {
 
 enum class Motion { translate, rotate };
 
-/// One primitive action: metres (> 0 forward) or radians (> 0 to the left).
+/// One primitive action: metres (> 0 forward) or radians (> 0 to the left). A translation may be a curve.
 struct PusherCommand {
     Motion motion = Motion::translate;
     double amount = 0.0;
+    double curve_rad = 0.0;  ///< change of heading over a translation; rotations ignore it
 };
 
 /// eq. (10) of an observation: the robot in the box frame.

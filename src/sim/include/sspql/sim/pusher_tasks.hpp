@@ -34,17 +34,18 @@ public:
     void reset(std::uint64_t seed) noexcept { random_ = Random(seed, RandomStream::noise); }
 
     /// Executes the command on the backend with its errors: an amount of (1 + e) times what was asked, never the other
-    /// way round, and on a translation a drift of the heading. \throws std::invalid_argument for an amount not finite.
+    /// way round, and on a translation a drift of the heading beside the curve. \throws std::invalid_argument for an amount not finite.
     template <class Backend>
     Move execute(Backend& backend, const PusherCommand& command) {
         require_finite("command amount", command.amount);
+        require_finite("command curve_rad", command.curve_rad);
         const double amount_error = random_.normal();
         const double drift_error = random_.normal();
         if (command.motion == Motion::rotate) {
             return backend.rotate(command.amount * std::max(0.0, 1.0 + turn_noise_ * amount_error));
         }
         return backend.translate(command.amount * std::max(0.0, 1.0 + distance_noise_ * amount_error),
-                                 drift_noise_rad_ * drift_error);
+                                 command.curve_rad + drift_noise_rad_ * drift_error);
     }
 
 private:
@@ -103,7 +104,7 @@ private:
 };
 
 /// 'approach': drive around the box into sector A, behind it as seen from the goal; any ring, any heading ('turn' then
-/// aligns the robot). Environment for ApproachState and ApproachActions. Starts at one of params.start_places.
+/// aligns the robot). Environment for ApproachState and ApproachActions. Starts where params.starts says.
 ///
 /// `reset(seed)` fixes all chance of the episode: starts from RandomStream::environment, noise from
 /// RandomStream::noise. Deviation: section 4.2 rewards "A and heading 0"; with that reading 'turn' would have nothing
@@ -120,8 +121,14 @@ public:
         Random random(seed, RandomStream::environment);
         this->reset_noise(seed);
         for (int i = 0; i < this->most_redraws; ++i) {
-            const std::size_t place = random.below(p.start_places.size());
-            this->place(this->jittered(p.start_places[p.starts == Starts::one ? 0 : place], random));
+            if (p.starts == Starts::anywhere) {
+                const Pose start = anywhere(random);
+                if (!is_free(start)) continue;
+                this->place(start);
+            } else {
+                const std::size_t place = random.below(p.start_places.size());
+                this->place(this->jittered(p.start_places[p.starts == Starts::one ? 0 : place], random));
+            }
             const PusherObservation observation = this->observe();
             if (!in_push_sector(to_box_frame(observation))) return observation;
         }
@@ -134,6 +141,26 @@ public:
         const PusherObservation observation = this->observe();
         const bool arrived = in_push_sector(to_box_frame(observation));
         return {observation, arrived ? 1.0 : 0.0, arrived, false};
+    }
+
+private:
+    /// Uniform on the square about the fence, looking anywhere: three draws.
+    [[nodiscard]] Pose anywhere(Random& random) const noexcept {
+        const PusherParams& p = this->params();
+        Pose pose{p.box_place.x_m, p.box_place.y_m, 0.0};
+        pose.x_m += random.uniform(-p.fence_radius_m, p.fence_radius_m);
+        pose.y_m += random.uniform(-p.fence_radius_m, p.fence_radius_m);
+        pose.heading_rad = random.uniform(-pi, pi);
+        return pose;
+    }
+
+    /// Whether the robot stands inside the fence, clear of box and walls.
+    [[nodiscard]] bool is_free(const Pose& pose) const noexcept {
+        const PusherParams& p = this->params();
+        const Square box = square_at({p.box_place.x_m, p.box_place.y_m, 0.0}, p.box_side_m);
+        return distance_m(position(pose), p.box_place) <= p.fence_radius_m &&
+               box_gap_m(p.body, pose, box) > p.guard_clearance_m &&
+               wall_gap_m(p.body, pose, p.arena_half_side_m) > p.guard_clearance_m;
     }
 };
 
