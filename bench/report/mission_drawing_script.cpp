@@ -128,7 +128,7 @@ function drawCells(m) {
   }
 }
 
-function drawSensors(m, robot, box) {
+function drawSensors(m, n, f, robot, box) {
   if (show.camera) {
     pen.beginPath(); pen.moveTo(...at(robot));
     for (let i = 0; i <= 60; ++i) {
@@ -140,7 +140,8 @@ function drawSensors(m, robot, box) {
   if (!show.sonars) return;
   for (let i = 0; i < 16; ++i) {
     const a = robot.a + i * 22.5 * deg;
-    const from = ahead(robot, a, stage.sonars[i]), to = ahead(from, a, m.sonars[i]);
+    const reading = between(m.sonars[i], n.sonars[i], f);
+    const from = ahead(robot, a, stage.sonars[i]), to = ahead(from, a, reading);
     line([from, to]); stroke('series3', 1, [], 0.35);
     pen.beginPath(); pen.arc(...at(to), 2.2, 0, 2 * Math.PI); fill('series3', 0.9);
   }
@@ -187,8 +188,8 @@ function drawTrail(mission, i, robot) {
 
 function drawRobot(m, robot) {
   oblong(robot, stage.length, stage.width); fill('robot'); stroke('wall', 2);
-  const nose = ahead(robot, robot.a, stage.length / 2), back = ahead(robot, robot.a, stage.length / 2 - 0.13);
-  const left = ahead(back, robot.a + Math.PI / 2, 0.1), right = ahead(back, robot.a - Math.PI / 2, 0.1);
+  const nose = ahead(robot, robot.a, stage.length / 2), back = ahead(robot, robot.a, stage.length / 2 - 0.2);
+  const left = ahead(back, robot.a + Math.PI / 2, 0.08), right = ahead(back, robot.a - Math.PI / 2, 0.08);
   pen.beginPath(); pen.moveTo(...at(nose)); pen.lineTo(...at(left)); pen.lineTo(...at(right)); pen.closePath();
   fill(taskInks[m.task]);
 }
@@ -199,13 +200,16 @@ function draw(mission, i, f) {
   const odometry = poseBetween(m.odometry, n.odometry, f);
   const goal = {x: mission.goal[0], y: mission.goal[1]};
   drawFloor();
+  pen.save();
+  pen.beginPath(); pen.rect(edge, edge, canvas.clientWidth - 2 * edge, canvas.clientHeight - 2 * edge); pen.clip();
   if (show.cells) drawCells(m);
   disc(goal, stage.goal); fill('goal', 0.9); stroke('goal-edge', 2);
-  drawSensors(m, robot, box);
+  drawSensors(m, n, f, robot, box);
   drawTrail(mission, i, robot);
   drawBox(box);
   drawRobot(m, robot);
   drawBeliefs(m, odometry);
+  pen.restore();
   pen.font = '600 13px system-ui, sans-serif'; pen.textAlign = 'center'; pen.fillStyle = inks.text;
   const [gx, gy] = at(goal);
   const low = gy + stage.goal * scale + 16;

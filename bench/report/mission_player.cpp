@@ -42,8 +42,9 @@ border:1px solid var(--ink-axis);border-radius:5px;cursor:pointer}
 #arena{display:block;width:100%;aspect-ratio:1}
 #strip{display:block;width:100%;height:10px;border-radius:3px;margin-top:.7rem}
 #scrub{width:100%;margin:.1rem 0 0;accent-color:var(--ink-series2)}
-.controls{display:flex;flex-wrap:wrap;gap:.4rem .7rem;align-items:center;font-size:.875rem}
-#play{min-width:5rem;padding:.35rem .8rem;font-weight:600}
+.controls{display:flex;flex-wrap:wrap;gap:.4rem .6rem;align-items:center;font-size:.8125rem}
+.controls label{display:inline-flex;align-items:center;gap:.15rem}
+#play{min-width:4.5rem;padding:.35rem .6rem;font-weight:600}
 #time{font-variant-numeric:tabular-nums}
 .controls select{font:inherit}
 .steps{display:flex;list-style:none;margin:0 0 .8rem;padding:0;gap:.3rem}
@@ -60,8 +61,9 @@ border:1px solid var(--ink-grid);border-top-width:5px}
 .action{display:grid;grid-template-columns:1fr max-content;gap:0 .5rem;font-size:.8125rem;padding:.2rem .35rem;
 border-left:4px solid transparent}
 .action.chosen{border-left-color:var(--ink-text);font-weight:600}
-.action small{color:var(--ink-faint);font-weight:400}
-.action .value{font-variant-numeric:tabular-nums;text-align:right}
+.action small{font-size:.6875rem;color:var(--ink-faint);font-weight:400}
+.action span{white-space:nowrap}
+.action .value{font-variant-numeric:tabular-nums;text-align:right;font-size:.75rem}
 .bar{grid-column:1/-1;display:flex;height:9px;background:var(--ink-grid);border-radius:2px;overflow:hidden}
 .bar i{display:block}
 .q{background:var(--ink-series2)}.ssp{background:var(--ink-series3)}.more{background:var(--ink-series4)}
