@@ -16,8 +16,8 @@ using namespace sspql::testing;
 
 namespace {
 
-constexpr std::size_t states = 8;  // the last one is terminal
-constexpr std::size_t actions = 3;
+constexpr std::size_t state_count = 8;  // the last one is terminal
+constexpr std::size_t action_count = 3;
 constexpr double discount = 0.9;
 
 /// A random Markov decision process: three successors for each (s,a), a reward for each (s,a,s').
@@ -27,16 +27,16 @@ struct Process {
         std::size_t next = 0;
         double reward = 0.0;
     };
-    std::array<std::array<std::array<Outcome, 3>, actions>, states> outcomes{};
+    std::array<std::array<std::array<Outcome, 3>, action_count>, state_count> outcomes{};
 
     explicit Process(std::uint64_t seed) {
         Random random(seed, RandomStream::noise);
-        for (std::size_t s = 0; s + 1 < states; ++s) {
+        for (std::size_t s = 0; s + 1 < state_count; ++s) {
             for (auto& of_action : outcomes[s]) {
                 double sum = 0.0;
                 for (Outcome& outcome : of_action) {
                     outcome.probability = 0.1 + random.uniform();
-                    outcome.next = random.below(states);
+                    outcome.next = random.below(state_count);
                     outcome.reward = random.uniform(-1.0, 1.0);
                     sum += outcome.probability;
                 }
@@ -45,7 +45,7 @@ struct Process {
         }
     }
 
-    [[nodiscard]] double backup(std::size_t s, std::size_t a, const std::array<double, states>& value) const {
+    [[nodiscard]] double backup(std::size_t s, std::size_t a, const std::array<double, state_count>& value) const {
         double sum = 0.0;
         for (const Outcome& outcome : outcomes[s][a]) {
             sum += outcome.probability * (outcome.reward + discount * value[outcome.next]);
@@ -55,12 +55,12 @@ struct Process {
 
     /// Values under `choose(s, backups)`, by iteration to machine precision. The terminal state's is 0.
     template <class Choose>
-    [[nodiscard]] std::array<double, states> values(const Choose& choose) const {
-        std::array<double, states> value{};
+    [[nodiscard]] std::array<double, state_count> values(const Choose& choose) const {
+        std::array<double, state_count> value{};
         for (int sweep = 0; sweep < 2000; ++sweep) {
-            for (std::size_t s = 0; s + 1 < states; ++s) {
-                std::array<double, actions> backups{};
-                for (std::size_t a = 0; a < actions; ++a) backups[a] = backup(s, a, value);
+            for (std::size_t s = 0; s + 1 < state_count; ++s) {
+                std::array<double, action_count> backups{};
+                for (std::size_t a = 0; a < action_count; ++a) backups[a] = backup(s, a, value);
                 value[s] = choose(s, backups);
             }
         }
@@ -99,19 +99,19 @@ TYPED_TEST(LearnerConvergence, GreedyPolicyIsWithinOnePercentOfTheOptimum) {
         params.alpha = VisitDecay{0.8};
         params.w_exp = 0.0;
         params.selector = EpsilonGreedy(0.5);
-        TypeParam learner(states, actions, params, seed);
+        TypeParam learner(state_count, action_count, params, seed);
         Random world(seed, RandomStream::environment);
-        std::size_t s = world.below(states - 1);
+        std::size_t s = world.below(state_count - 1);
         ActionId a = learner.begin(state_id(s));
         for (int k = 0; k < 250000; ++k) {
             const Process::Outcome& outcome = process.draw(s, index(a), world);
             s = outcome.next;
-            if (s + 1 < states) {
+            if (s + 1 < state_count) {
                 a = learner.step(outcome.reward, state_id(s));
                 continue;
             }
             learner.end(outcome.reward, state_id(s), true);
-            s = world.below(states - 1);
+            s = world.below(state_count - 1);
             a = learner.begin(state_id(s));
         }
         const auto optimal =
@@ -120,7 +120,7 @@ TYPED_TEST(LearnerConvergence, GreedyPolicyIsWithinOnePercentOfTheOptimum) {
             process.values([&](std::size_t at, const auto& b) { return b[index(learner.best(state_id(at)))]; });
         double scale = 0.0;
         for (const double value : optimal) scale = std::max(scale, std::fabs(value));
-        for (std::size_t at = 0; at + 1 < states; ++at) {
+        for (std::size_t at = 0; at + 1 < state_count; ++at) {
             EXPECT_GE(achieved[at], optimal[at] - 0.01 * scale) << "seed " << seed << ", state " << at;
         }
     }

@@ -110,6 +110,30 @@ TEST(Mission, TimesOutWithAReason) {
     EXPECT_FALSE(result.in_goal);
 }
 
+TEST(Mission, SaysWhenTheBoxIsWhereNothingGetsBehindIt) {
+    sim::MissionParams rules = truth();
+    rules.pushes = 1;
+    rules.approach_actions = 3;
+    sim::Mission<sim::KinematicBackend> mission(world(), {}, rules);
+    Stubborn nobody;
+    const MissionResult cornered = mission.run({{1.2, 1.0, 0.0}, {2.3, 0.0, 0.0}, {0.0, 0.0}}, 1, nobody, nobody);
+    EXPECT_EQ(cornered.end, Outcome::approach_timeout);
+    EXPECT_TRUE(cornered.cornered);
+    const MissionResult free = mission.run({{1.2, 1.0, 0.0}, {1.5, 0.0, 0.0}, {0.0, 0.0}}, 1, nobody, nobody);
+    EXPECT_EQ(free.end, Outcome::approach_timeout);
+    EXPECT_FALSE(free.cornered);
+}
+
+TEST(Mission, ABoxSeenInTheGoalNeedsNoPush) {
+    sim::Mission<sim::Box2dBackend> mission(world());
+    Stubborn nobody;
+    const MissionResult result = mission.run({{-1.0, 0.0, 2.0}, {0.05, 0.0, 0.3}, {0.0, 0.0}}, 1, nobody, nobody);
+    EXPECT_TRUE(result.in_goal && result.believed);
+    EXPECT_FALSE(result.first_push);
+    EXPECT_EQ(result.of(SubTask::push).attempts, 0);
+    EXPECT_GT(result.of(SubTask::search).actions, 0);
+}
+
 TEST(Mission, ASearchThatFindsNothingTimesOut) {
     sim::SensorParams blind;
     blind.camera_field_rad = sim::from_degrees(1.0);
