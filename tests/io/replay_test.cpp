@@ -84,6 +84,7 @@ TYPED_TEST(Replay, SaysWhereIdsAreNotTheLearners) {
         return what;
     };
     EXPECT_EQ(error("0,1,2,3,0,2,0,0"), "log:3:7: action must be below the learner's number of actions, 3, got '3'");
+    EXPECT_EQ(error("0,1,2,0,1e101,2,0,0"), "log:3:9: reward must lie in [-1e+100, 1e+100], got '1e+101'");
     EXPECT_EQ(error("0,1,2,0,0,10,0,0"), "log:3:11: next must be below the learner's number of states, 10, got '10'");
     EXPECT_EQ(error("1,0,12,0,0,1,0,0"), "log:3:5: state must be below the learner's number of states, 10, got '12'");
     EXPECT_EQ(error("0,1,3,0,0,1,0,0"), "log:3:5: state 3 is not where the last step led, 2");

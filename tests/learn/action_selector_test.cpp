@@ -11,6 +11,8 @@
 
 #include <sspql/spaces/action_set.hpp>
 
+namespace sspql_action_selector_test {
+
 using namespace sspql;
 
 namespace {
@@ -142,3 +144,5 @@ TEST(Argmax, TakesTheLeastIdOnTiesAndNoneOfNothing) {
     const auto least = [](ActionId) { return -std::numeric_limits<double>::infinity(); };
     EXPECT_EQ(sspql::detail::argmax(actions, odd, least), action_id(1));
 }
+
+}  // namespace sspql_action_selector_test

@@ -10,6 +10,8 @@
 #include <sspql/core/random.hpp>
 #include <sspql/learn/adaptive/forgetting_model.hpp>
 
+namespace sspql_adaptive_change_detector_test {
+
 using namespace sspql;
 
 namespace {
@@ -187,3 +189,5 @@ TEST(ChangeDetector, RefusesParametersOutOfRange) {
     EXPECT_THROW((void)with(&ChangeParams::kept, 0.0), std::invalid_argument);
     EXPECT_THROW((void)with(&ChangeParams::least_count, 0.1), std::invalid_argument) << "more than may be kept";
 }
+
+}  // namespace sspql_adaptive_change_detector_test

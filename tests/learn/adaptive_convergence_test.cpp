@@ -20,6 +20,8 @@
 #include <sspql/learn/exact_values.hpp>
 #include <sspql/run/episode.hpp>
 
+namespace sspql_adaptive_convergence_test {
+
 using namespace sspql;
 
 namespace {
@@ -133,3 +135,5 @@ TEST(AdaptiveConvergence, WhereTheGoalIsNearActionsStayUntried) {
     EXPECT_GE(gaps.mean.policy, 0.2);
     EXPECT_LE(gaps.worst.slower, 4.0) << "steps";
 }
+
+}  // namespace sspql_adaptive_convergence_test

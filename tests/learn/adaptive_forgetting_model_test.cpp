@@ -9,6 +9,8 @@
 
 #include <sspql/core/random.hpp>
 
+namespace sspql_adaptive_forgetting_model_test {
+
 using namespace sspql;
 
 namespace {
@@ -180,3 +182,5 @@ TEST(ForgettingModel, RefusesParametersOutOfRange) {
     EXPECT_THROW((void)with(&TrustParams::tau, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
     EXPECT_THROW((ForgettingModel(2, 0, {}, {})), std::invalid_argument);
 }
+
+}  // namespace sspql_adaptive_forgetting_model_test

@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+namespace sspql_adaptive_goal_distances_test {
+
 using namespace sspql;
 
 namespace {
@@ -129,3 +131,5 @@ TEST(GoalDistances, GuessesHoldUntilASearchKnowsBetter) {
     EXPECT_DOUBLE_EQ(distances.distance(state_id(0)), 6.0);
     EXPECT_EQ(distances.distance(state_id(4)), unknown);
 }
+
+}  // namespace sspql_adaptive_goal_distances_test

@@ -11,6 +11,8 @@
 
 #include <sspql/env/grid_maps.hpp>
 
+namespace sspql_adaptive_goals_test {
+
 using namespace sspql;
 using namespace sspql::testing;
 
@@ -189,3 +191,5 @@ TEST(AdaptiveGoals, AnotherCornerOfAMapIsReachedWithoutRelearning) {
     }
     EXPECT_LE(sum / seeds, 16.0) << "about 8 at best";
 }
+
+}  // namespace sspql_adaptive_goals_test

@@ -17,6 +17,8 @@
 #include <sspql/run/episode.hpp>
 #include <sspql/spaces/enum_state.hpp>
 
+namespace sspql_adaptive_lake_test {
+
 using namespace sspql;
 
 namespace {
@@ -98,3 +100,5 @@ TEST(AdaptiveLakeSlow, WithoutTheFloorOfAlarmsItIsNot) {
     const GridWorld world = lake(lakes[0]);
     EXPECT_LE(late_success(world, params), 0.75 * optimum(world.table()));
 }
+
+}  // namespace sspql_adaptive_lake_test

@@ -16,6 +16,8 @@
 #include <sspql/run/episode.hpp>
 #include <sspql/spaces/enum_state.hpp>
 
+namespace sspql_adaptive_maps_test {
+
 using namespace sspql;
 
 namespace {
@@ -118,3 +120,5 @@ TEST(AdaptiveMapsSlow, TheShortestPathBoundsExplorationOfLargeMaps) {
     }
     EXPECT_GE(without, 2.0 * with) << "measured 3.1; " << with << " steps with the bound";
 }
+
+}  // namespace sspql_adaptive_maps_test

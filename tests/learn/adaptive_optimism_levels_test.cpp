@@ -8,6 +8,8 @@
 
 #include "learn/optimism_testing.hpp"
 
+namespace sspql_adaptive_optimism_levels_test {
+
 using namespace sspql;
 using namespace sspql::testing;
 
@@ -36,7 +38,7 @@ TEST(OptimismLevels, ToldGoalsReplaceWhatWasDiscovered) {
     fresh.told_goals();
     fresh.discover_goals();
     EXPECT_FALSE(fresh.goal_known());
-    EXPECT_EQ(fresh.level(infinity).here, 1.0);
+    EXPECT_EQ(fresh.level(no_path).here, 1.0);
 }
 
 TEST(OptimismLevels, ToldGoalsAreWorthNothingWhereStepsCost) {
@@ -54,8 +56,8 @@ TEST(OptimismLevels, LevelsAreBoundedByTheShortestPath) {
     EXPECT_NEAR(steps(0.0), 6.0, 1e-9);
     EXPECT_NEAR(steps(7.0), 6.0, 1e-9);
     EXPECT_NEAR(steps(30.0), 29.0, 1e-9) << "at most `saving` nearer than the path";
-    EXPECT_NEAR(steps(infinity), 19.0, 1e-9) << "no path: as far as usual";
-    for (const double path : {0.0, 15.0, 30.0, infinity}) {
+    EXPECT_NEAR(steps(no_path), 19.0, 1e-9) << "no path: as far as usual";
+    for (const double path : {0.0, 15.0, 30.0, no_path}) {
         EXPECT_NEAR(scale.cost_of(scale.level(path).ahead), steps(path) + 3.0, 1e-9);
     }
 }
@@ -65,7 +67,9 @@ TEST(OptimismLevels, WhereStepsCostPathsAreDiscountedLikeValues) {
     episode(scale, 20, -1.0, -1.0, true);
     const auto steps = [&](double path) { return scale.cost_of(scale.level(path).here); };
     EXPECT_NEAR(steps(30.0), (1.0 - std::pow(0.99, 30.0)) / 0.01 - 1.0, 1e-9);
-    EXPECT_NEAR(steps(infinity), scale.typical_cost() - 1.0, 1e-9);
+    EXPECT_NEAR(steps(no_path), scale.typical_cost() - 1.0, 1e-9);
     for (int k = 0; k < 9; ++k) episode(scale, 500, -1.0, -1.0);
-    EXPECT_NEAR(steps(infinity), 49.0, 1e-9) << "no farther than the limit, without a path";
+    EXPECT_NEAR(steps(no_path), 49.0, 1e-9) << "no farther than the limit, without a path";
 }
+
+}  // namespace sspql_adaptive_optimism_levels_test

@@ -9,6 +9,8 @@
 
 #include "learn/optimism_testing.hpp"
 
+namespace sspql_adaptive_optimism_scale_test {
+
 using namespace sspql;
 using namespace sspql::testing;
 
@@ -17,7 +19,7 @@ TEST(OptimismScale, KnowsNothingAtFirst) {
     EXPECT_FALSE(scale.goal_known());
     EXPECT_FALSE(scale.costs());
     EXPECT_EQ(scale.typical_cost(), 0.0);
-    for (const double path : {0.0, 7.0, infinity}) {
+    for (const double path : {0.0, 7.0, no_path}) {
         EXPECT_EQ(scale.level(path).here, 1.0);
         EXPECT_EQ(scale.level(path).ahead, 1.0);
     }
@@ -50,8 +52,8 @@ TEST(OptimismScale, WhereStepsCostTheUnitIsTheLeastCost) {
     EXPECT_TRUE(scale.costs());
     EXPECT_EQ(scale.unit(), 2.0);
     EXPECT_EQ(scale.step_value(), 2.0);
-    EXPECT_EQ(scale.level(infinity).here, 0.0) << "no goal yet: nothing is better than no cost";
-    EXPECT_EQ(scale.level(infinity).ahead, 0.0);
+    EXPECT_EQ(scale.level(no_path).here, 0.0) << "no goal yet: nothing is better than no cost";
+    EXPECT_EQ(scale.level(no_path).ahead, 0.0);
     scale.observe_end(-2.0, scale.counts_as_goal(-2.0));
     scale.end_episode();
     EXPECT_EQ(scale.top(), -2.0);
@@ -185,3 +187,5 @@ TEST(OptimismScale, RefusesParametersOutOfRange) {
     EXPECT_THROW((void)with(&OptimismParams::most, 1.0), std::invalid_argument) << "less than the least";
     EXPECT_THROW((void)with(&OptimismParams::limit, 1.1), std::invalid_argument);
 }
+
+}  // namespace sspql_adaptive_optimism_scale_test

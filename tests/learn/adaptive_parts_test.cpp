@@ -13,6 +13,8 @@
 #include <sspql/learn/greedy.hpp>
 #include <sspql/spaces/legal_actions.hpp>
 
+namespace sspql_adaptive_parts_test {
+
 using namespace sspql;
 
 namespace {
@@ -159,3 +161,5 @@ TEST(ToldGoals, FollowTheScale) {
     EXPECT_EQ(goals.worth(s1), 0.0);
     EXPECT_EQ(goals.worth(s2), -6.0) << "three steps more";
 }
+
+}  // namespace sspql_adaptive_parts_test

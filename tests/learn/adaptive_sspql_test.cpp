@@ -10,6 +10,8 @@
 
 #include "learn/learner_testing.hpp"
 
+namespace sspql_adaptive_sspql_test {
+
 using namespace sspql;
 using namespace sspql::testing;
 
@@ -231,3 +233,5 @@ TEST(AdaptiveSspql, RefusesParametersOutOfRange) {
     EXPECT_THROW(AdaptiveSspql<>(2, 0), std::invalid_argument);
     EXPECT_THROW(AdaptiveSspql<>(2, 65536), std::invalid_argument);
 }
+
+}  // namespace sspql_adaptive_sspql_test

@@ -18,6 +18,8 @@
 #include <sspql/run/episode.hpp>
 #include <sspql/spaces/enum_state.hpp>
 
+namespace sspql_adaptive_tasks_test {
+
 using namespace sspql;
 
 namespace {
@@ -214,3 +216,5 @@ TEST(AdaptiveTasks, TheChainOfFig3) {
     }
     EXPECT_LE(late / 200.0, 1.15 * 30.0) << "30 at best";
 }
+
+}  // namespace sspql_adaptive_tasks_test

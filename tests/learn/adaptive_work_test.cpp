@@ -12,6 +12,8 @@
 #include <sspql/env/grid_world.hpp>
 #include <sspql/env/random_walls.hpp>
 
+namespace sspql_adaptive_work_test {
+
 using namespace sspql;
 
 namespace {
@@ -121,3 +123,5 @@ TEST(AdaptiveWork, NorChangesOfTheWorld) {
     EXPECT_GE(learner.status().alarms, 20u);
     EXPECT_LE(work.worst, bound(params));
 }
+
+}  // namespace sspql_adaptive_work_test

@@ -11,6 +11,8 @@
 #include <sspql/spaces/hashed_state.hpp>
 #include <sspql/spaces/product_state.hpp>
 
+namespace sspql_agent_growing_test {
+
 using namespace sspql;
 
 namespace {
@@ -105,3 +107,5 @@ TEST(GrowingAgent, GoalsNeverSeenBecomeStates) {
     for (int k = 0; k < 10; ++k) (void)episode(robot);
     EXPECT_EQ(episode(robot), 10u);
 }
+
+}  // namespace sspql_agent_growing_test

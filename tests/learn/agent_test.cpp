@@ -13,6 +13,8 @@
 #include <sspql/spaces/product_state.hpp>
 #include <sspql/spaces/uniform_grid.hpp>
 
+namespace sspql_agent_test {
+
 using namespace sspql;
 
 namespace {
@@ -196,3 +198,5 @@ TEST(Agent, ObeysTheMaskOfEachObservation) {
     EXPECT_THROW((void)robot.step(0.1, start, ActionSet::all(5)), std::invalid_argument);
     EXPECT_EQ(robot.best(start).y_m, -1.0);
 }
+
+}  // namespace sspql_agent_test

@@ -10,6 +10,8 @@
 
 #include <sspql/core/random.hpp>
 
+namespace sspql_backup_queue_test {
+
 using namespace sspql;
 
 namespace {
@@ -107,3 +109,5 @@ TEST(BackupQueue, AgreesWithASearchThroughAllPairs) {
         ASSERT_EQ(queue.size(), static_cast<std::size_t>(queued)) << "operation " << k;
     }
 }
+
+}  // namespace sspql_backup_queue_test

@@ -29,6 +29,8 @@
 #include <sspql/learn/sspql.hpp>
 #include <sspql/run/episode.hpp>
 
+namespace sspql_convergence_test {
+
 using namespace sspql;
 
 namespace {
@@ -161,3 +163,5 @@ TEST(NoConvergence, SspqlWithAConstantWeight) {
     params.alpha = VisitDecay{0.8};
     EXPECT_GE(failures(params, 20000, half), 5);
 }
+
+}  // namespace sspql_convergence_test

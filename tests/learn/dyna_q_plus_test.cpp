@@ -11,6 +11,8 @@
 
 #include <sspql/learn/action_selector.hpp>
 
+namespace sspql_dyna_q_plus_test {
+
 using namespace sspql;
 
 namespace {
@@ -34,9 +36,6 @@ DynaQPlusParams<> planning(double alpha, double gamma) {
 }
 
 }  // namespace
-
-template class sspql::DynaQPlus<>;
-template class sspql::DynaQPlus<GreedyEverywhere>;
 
 // Only a1 may be planned in state 0, and it was never tried: reward 0.1 sqrt(steps so far), and nothing else (gamma 0).
 TEST(DynaQPlus, AnActionNeverTriedEarnsTheRootOfAllTime) {
@@ -166,3 +165,9 @@ TEST(DynaQPlus, RefusesATimeBonusThatIsNegative) {
     }
     EXPECT_NO_THROW((DynaQPlus<GreedyEverywhere>(2, 2)));
 }
+
+}  // namespace sspql_dyna_q_plus_test
+
+// Every member compiles.
+template class sspql::DynaQPlus<>;
+template class sspql::DynaQPlus<sspql_dyna_q_plus_test::GreedyEverywhere>;

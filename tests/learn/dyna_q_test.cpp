@@ -10,6 +10,8 @@
 
 #include <sspql/learn/action_selector.hpp>
 
+namespace sspql_dyna_q_test {
+
 using namespace sspql;
 
 namespace {
@@ -49,9 +51,6 @@ void end_well_then_badly(DynaQ<>& learner) {
 }
 
 }  // namespace
-
-template class sspql::DynaQ<>;
-template class sspql::DynaQ<GreedyEverywhere>;
 
 // Four updates towards 1, each half of the way: 1 - 1/2^4.
 TEST(DynaQ, PlansKTimesAfterEachStep) {
@@ -176,3 +175,9 @@ TEST(DynaQ, RefusesWhatIsOutOfRange) {
     refused([](auto& p) { p.gamma = 1.1; });
     EXPECT_NO_THROW((DynaQ<GreedyEverywhere>(2, 2)));
 }
+
+}  // namespace sspql_dyna_q_test
+
+// Every member compiles.
+template class sspql::DynaQ<>;
+template class sspql::DynaQ<sspql_dyna_q_test::GreedyEverywhere>;

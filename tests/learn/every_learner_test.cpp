@@ -14,6 +14,8 @@
 #include <sspql/learn/rtdp.hpp>
 #include <sspql/learn/sarsa.hpp>
 
+namespace sspql_every_learner_test {
+
 using namespace sspql;
 using namespace sspql::testing;
 
@@ -184,3 +186,5 @@ TYPED_TEST(EveryLearnerOfOnesOwn, KeepsToTheUsersLegalActions) {
         EXPECT_EQ(learner.best(state_id(s)), a0);
     }
 }
+
+}  // namespace sspql_every_learner_test

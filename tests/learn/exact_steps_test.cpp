@@ -14,6 +14,8 @@
 #include <sspql/env/random_mdp.hpp>
 #include <sspql/model/transition_table_builder.hpp>
 
+namespace sspql_exact_steps_test {
+
 using sspql::action_id;
 using sspql::ActionId;
 using sspql::state_id;
@@ -120,3 +122,5 @@ TEST(SuccessProbability, ByHand) {
     const TransitionTable chain = sspql::chain_table({2, 0.3});
     EXPECT_NEAR(sspql::success_probability(chain, {action_id(0), sspql::no_action}, 4), 1.0 - std::pow(0.7, 4), 1e-15);
 }
+
+}  // namespace sspql_exact_steps_test

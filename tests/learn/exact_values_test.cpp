@@ -15,6 +15,8 @@
 #include <sspql/env/random_mdp.hpp>
 #include <sspql/model/transition_table_builder.hpp>
 
+namespace sspql_exact_values_test {
+
 using sspql::action_id;
 using sspql::ActionId;
 using sspql::state_id;
@@ -180,3 +182,5 @@ TEST(OptimalReturn, DoesNotMindAPocketThatNoEpisodeVisits) {
     builder.start_in({state_id(0)});
     EXPECT_DOUBLE_EQ(*sspql::optimal_return(builder.build()), 1.0);
 }
+
+}  // namespace sspql_exact_values_test

@@ -11,6 +11,8 @@
 
 #include <sspql/spaces/action_set.hpp>
 
+namespace sspql_expectation_test {
+
 using namespace sspql;
 
 namespace {
@@ -146,3 +148,5 @@ TEST(Expectation, IsOverLegalActionsOnly) {
     EXPECT_DOUBLE_EQ(choice.expectation(EpsilonGreedy(0.5), by_id), 1.5);
     EXPECT_DOUBLE_EQ(choice.expectation(Boltzmann(0.5), by_id), 1.5);
 }
+
+}  // namespace sspql_expectation_test

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+namespace sspql_exploration_bonus_test {
+
 using sspql::ExplorationBonus;
 
 TEST(ExplorationBonus, IsEq7InsideAndBeyondTheTable) {
@@ -34,3 +36,5 @@ TEST(ExplorationBonus, RefusesEtaOutside) {
     EXPECT_THROW(ExplorationBonus{std::numeric_limits<double>::quiet_NaN()}, std::invalid_argument);
     EXPECT_THROW(ExplorationBonus{std::numeric_limits<double>::infinity()}, std::invalid_argument);
 }
+
+}  // namespace sspql_exploration_bonus_test

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+namespace sspql_goal_book_test {
+
 using sspql::Goal;
 using sspql::GoalBook;
 using sspql::state_id;
@@ -107,3 +109,5 @@ TEST(GoalBook, Grows) {
     book.observe(into(19, 1.0, true));
     EXPECT_EQ(goals(book), (States{2, 19}));
 }
+
+}  // namespace sspql_goal_book_test

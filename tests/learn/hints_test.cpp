@@ -9,6 +9,8 @@
 #include <sspql/learn/q_learning.hpp>
 #include <sspql/learn/sspql.hpp>
 
+namespace sspql_hints_test {
+
 using namespace sspql;
 
 namespace {
@@ -149,3 +151,5 @@ TYPED_TEST(Teaching, WhatIsRefusedChangesNothing) {
     EXPECT_EQ(learner.visits()(s0, a0), 0u);
     EXPECT_EQ(learner.terms(s0, a0).hint, 0.0);
 }
+
+}  // namespace sspql_hints_test

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+namespace sspql_last_outcomes_test {
+
 using namespace sspql;
 
 namespace {
@@ -60,3 +62,5 @@ TEST(LastOutcomes, ReserveChangesNothingButTheMemory) {
     EXPECT_EQ(outcomes.size(), 20u);
     EXPECT_EQ(&outcomes.tried(0), first) << "nothing was moved on the way there";
 }
+
+}  // namespace sspql_last_outcomes_test

@@ -7,7 +7,7 @@
 
 namespace sspql::testing {
 
-inline constexpr double infinity = std::numeric_limits<double>::infinity();
+inline constexpr double no_path = std::numeric_limits<double>::infinity();
 
 /// Parameters for sums in the head: c is half of the median, 2 to 6, 3 more for others, below limit / (1 - gamma).
 inline OptimismParams easy(double limit = 1.0) {

@@ -7,6 +7,8 @@
 
 #include <sspql/learn/action_selector.hpp>
 
+namespace sspql_prioritized_sweeping_test {
+
 using namespace sspql;
 
 namespace {
@@ -38,9 +40,6 @@ void walk_chain(PrioritizedSweeping<>& learner) {
 void idle(PrioritizedSweeping<>& learner) { learner.observe(s4, a0, 0.0, s4, false); }
 
 }  // namespace
-
-template class sspql::PrioritizedSweeping<>;
-template class sspql::PrioritizedSweeping<GreedyEverywhere>;
 
 // gamma 0.8: 1, 0.8, 0.64, one backup each.
 TEST(PrioritizedSweeping, OneRewardReachesTheWholeWayBack) {
@@ -188,3 +187,9 @@ TEST(PrioritizedSweeping, TheOptimisticPresetIsTheStrongBaseline) {
     EXPECT_NO_THROW((PrioritizedSweeping<GreedyEverywhere>(2, 2)));
     EXPECT_THROW(PrioritizedSweeping<>(2, 2, planning(10, -1.0)), std::invalid_argument);
 }
+
+}  // namespace sspql_prioritized_sweeping_test
+
+// Every member compiles.
+template class sspql::PrioritizedSweeping<>;
+template class sspql::PrioritizedSweeping<sspql_prioritized_sweeping_test::GreedyEverywhere>;

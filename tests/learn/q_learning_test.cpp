@@ -3,6 +3,8 @@
 
 #include "learn/learner_testing.hpp"
 
+namespace sspql_q_learning_test {
+
 using namespace sspql;
 using namespace sspql::testing;
 
@@ -62,3 +64,5 @@ TEST(QLearning, ReservingChangesNothing) {
                   walk(plain, same, Room::at(0, 0), Room::at(4, 4)));
     }
 }
+
+}  // namespace sspql_q_learning_test

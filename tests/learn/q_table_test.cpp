@@ -10,6 +10,8 @@
 #include <sspql/spaces/action_set.hpp>
 #include <sspql/spaces/legal_actions.hpp>
 
+namespace sspql_q_table_test {
+
 using sspql::action_id;
 using sspql::ActionSet;
 using sspql::QTable;
@@ -109,3 +111,5 @@ TEST(VisitCounts, CountGrowAndReset) {
     EXPECT_EQ(visits(state_id(1), action_id(2)), 0u);
     EXPECT_EQ(visits(state_id(3), action_id(0)), 0u);
 }
+
+}  // namespace sspql_q_table_test

@@ -5,6 +5,8 @@
 
 #include <sspql/spaces/legal_actions.hpp>
 
+namespace sspql_q_update_test {
+
 using sspql::action_id;
 using sspql::ActionSet;
 using sspql::QTable;
@@ -55,3 +57,5 @@ TEST(QUpdate, ARateOfZeroLearnsNothingAndOfOneForgetsAll) {
     sspql::q_update(q, step, 1.0, 0.5, sspql::AllActions{});
     EXPECT_EQ(q(state_id(0), action_id(1)), 2.5);
 }
+
+}  // namespace sspql_q_update_test

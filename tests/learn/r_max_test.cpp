@@ -9,6 +9,8 @@
 
 #include <sspql/learn/action_selector.hpp>
 
+namespace sspql_r_max_test {
+
 using namespace sspql;
 
 namespace {
@@ -29,9 +31,6 @@ RMaxParams<> known_after(std::size_t m) {
 }
 
 }  // namespace
-
-template class sspql::RMax<>;
-template class sspql::RMax<GreedyEverywhere>;
 
 TEST(RMax, WhatWasTriedLessThanMTimesIsWorthTheMost) {
     RMax<> learner(3, 2, known_after(2));
@@ -152,3 +151,9 @@ TEST(RMax, RefusesWhatWouldNeverEnd) {
     refused([](auto& p) { p.gamma = 1.0; });
     EXPECT_NO_THROW((RMax<GreedyEverywhere>(2, 2)));
 }
+
+}  // namespace sspql_r_max_test
+
+// Every member compiles.
+template class sspql::RMax<>;
+template class sspql::RMax<sspql_r_max_test::GreedyEverywhere>;

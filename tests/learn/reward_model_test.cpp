@@ -10,6 +10,8 @@
 
 #include <sspql/spaces/legal_actions.hpp>
 
+namespace sspql_reward_model_test {
+
 using namespace sspql;
 
 namespace {
@@ -34,9 +36,6 @@ Model three_outcomes(std::size_t actions = 2) {
 }
 
 }  // namespace
-
-template class sspql::RewardModel<FadingCell>;
-template class sspql::RewardModel<OwnCell>;
 
 // (1 + 2 + 3 + 2 x 0.5 x 10) / 3 with Q(1,a1) = 10; whatever 2 is worth, nothing follows its end.
 TEST(RewardModel, ABackupIsTheMeanOverOutcomes) {
@@ -159,3 +158,9 @@ TEST(ModelParams, RefuseWhatIsOutOfRange) {
     refused([&](Params& p) { p.unknown_value = nan; });
     EXPECT_NO_THROW(Params{}.validate());
 }
+
+}  // namespace sspql_reward_model_test
+
+// Every member compiles.
+template class sspql::RewardModel<sspql::FadingCell>;
+template class sspql::RewardModel<sspql_reward_model_test::OwnCell>;

@@ -7,6 +7,8 @@
 
 #include <sspql/learn/action_selector.hpp>
 
+namespace sspql_rtdp_test {
+
 using namespace sspql;
 
 namespace {
@@ -20,9 +22,6 @@ struct GreedyEverywhere : ModelPolicies {
 };
 
 }  // namespace
-
-template class sspql::Rtdp<>;
-template class sspql::Rtdp<GreedyEverywhere>;
 
 // 0 -a0-> 1 -a0-> 2 (end, 1), gamma 0.8: each walk carries the value one state further back.
 TEST(Rtdp, UpdatesTheStateJustLeftOnly) {
@@ -92,3 +91,9 @@ TEST(Rtdp, CountsWhatItTouches) {
     params.kappa = -1.0;
     EXPECT_THROW(Rtdp<>(2, 2, params), std::invalid_argument);
 }
+
+}  // namespace sspql_rtdp_test
+
+// Every member compiles.
+template class sspql::Rtdp<>;
+template class sspql::Rtdp<sspql_rtdp_test::GreedyEverywhere>;

@@ -13,6 +13,8 @@
 
 #include <sspql/learn/action_selector.hpp>
 
+namespace sspql_sarsa_test {
+
 using namespace sspql;
 
 namespace {
@@ -70,9 +72,6 @@ double expected_backup(S selector) {
 }
 
 }  // namespace
-
-template class sspql::Sarsa<>;
-template class sspql::Sarsa<Choosing<Scripted>>;
 
 // 0.5 (0.1 + 0.8 x 0.1) = 0.09 for the a1 it takes; Q-learning would back up 0.5: 0.25.
 TEST(Sarsa, BacksUpTheActionItTakesNext) {
@@ -182,3 +181,9 @@ TEST(ExpectedSarsa, NeedsASelectorWithAnExpectation) {
     params.expected = true;
     EXPECT_THROW(Sarsa<Choosing<Scripted>>(3, 2, params), std::invalid_argument);
 }
+
+}  // namespace sspql_sarsa_test
+
+// Every member compiles.
+template class sspql::Sarsa<>;
+template class sspql::Sarsa<sspql_sarsa_test::Choosing<sspql_sarsa_test::Scripted>>;

@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+namespace sspql_schedule_test {
+
 using sspql::Constant;
 using sspql::ExponentialDecay;
 using sspql::Schedule;
@@ -89,3 +91,5 @@ TEST(Schedule, KeepsItsRuleAndCopies) {
     }
     EXPECT_EQ(copy(10), decay(10)) << "the table outlives the object it was copied from";
 }
+
+}  // namespace sspql_schedule_test

@@ -13,6 +13,8 @@
 #include <sspql/core/random.hpp>
 #include <sspql/paths/reverse_graph.hpp>
 
+namespace sspql_sspql_path_budget_test {
+
 using namespace sspql;
 
 namespace {
@@ -146,3 +148,5 @@ TEST(SspqlPathBudget, RefusesWhatMakesNoSense) {
     EXPECT_THROW(Sspql<>(4, 2, with(std::numeric_limits<double>::quiet_NaN(), 0)), std::invalid_argument);
     EXPECT_THROW(Sspql<>(4, 2, with(0.0, ~std::uint64_t{0})), std::invalid_argument);
 }
+
+}  // namespace sspql_sspql_path_budget_test

@@ -10,6 +10,8 @@
 
 #include <sspql/paths/dary_heap.hpp>
 
+namespace sspql_sspql_policies_test {
+
 using namespace sspql;
 using namespace sspql::testing;
 
@@ -159,3 +161,5 @@ TEST(SspqlParams, CarryThePolicyObjects) {
     const Sspql<Logarithmic> learner(2, 2, params);
     EXPECT_EQ(learner.params().cost.lambda(), 0.25);
 }
+
+}  // namespace sspql_sspql_policies_test

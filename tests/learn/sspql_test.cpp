@@ -7,6 +7,8 @@
 
 #include "learn/learner_testing.hpp"
 
+namespace sspql_sspql_test {
+
 using namespace sspql;
 using namespace sspql::testing;
 
@@ -131,3 +133,5 @@ TEST(Sspql, RefusesWeightsOutOfRange) {
     EXPECT_FALSE(accepts([](auto& p) { p.ssp_decay = 1.5; }));
     EXPECT_FALSE(accepts([](auto& p) { p.ssp_decay = ExponentialDecay{2.0, 0.1, 0.0}; }));
 }
+
+}  // namespace sspql_sspql_test

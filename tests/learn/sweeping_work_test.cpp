@@ -15,6 +15,8 @@
 #include <sspql/core/ids.hpp>
 #include <sspql/core/random.hpp>
 
+namespace sspql_sweeping_work_test {
+
 using namespace sspql;
 
 namespace {
@@ -103,3 +105,5 @@ TEST(SweepingWork, ABackupCostsTheSameAtAMillionStates) { expect_no_growth({{100
 #endif
 
 }  // namespace
+
+}  // namespace sspql_sweeping_work_test

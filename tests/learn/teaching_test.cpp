@@ -17,6 +17,8 @@
 #include <sspql/run/episode.hpp>
 #include <sspql/spaces/enum_state.hpp>
 
+namespace sspql_teaching_test {
+
 using namespace sspql;
 
 namespace {
@@ -137,3 +139,5 @@ TYPED_TEST(Trainer, WrongHintsFade) {
         EXPECT_LT(robot.learner().terms(door, action_id(0)).hint, 0.01) << "seed " << seed;
     }
 }
+
+}  // namespace sspql_teaching_test

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <istream>
 #include <stdexcept>
 #include <string>
 
+#include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/core/line_reader.hpp>
 #include <sspql/io/step_log_reader.hpp>
+#include <sspql/learn/learner.hpp>
 
 namespace sspql {
 
 namespace detail {
 
-/// Throws at the field of the current step that the learner has no id for.
+/// Throws at the field of the current step that the learner could not take.
 template <class Learner>
-void require_ids_of(const Learner& learner, const StepLogReader& log) {
+void require_step_for(const Learner& learner, const StepLogReader& log) {
     const Transition& step = log.step().transition;
     std::size_t states = learner.states();
     const auto require_state = [&](StateId s, std::size_t field, const char* name) {
@@ -38,6 +41,10 @@ void require_ids_of(const Learner& learner, const StepLogReader& log) {
                         ", got '" + std::to_string(index(step.action)) + "'");
     }
     require_state(step.next, 5, "next");
+    if (!(std::fabs(step.reward) <= max_reward)) {
+        log.fail(4, "reward must lie in [" + to_text(-max_reward) + ", " + to_text(max_reward) + "], got '" +
+                        offending_text(step.reward) + "'");
+    }
 }
 
 /// Lets a learner live through the current step.
@@ -66,8 +73,8 @@ void live_through(Learner& learner, const StepLogReader& log) {
 /// step). Another learner, with other parameters, ends up with what it makes of the same experience.
 ///
 /// One line at a time is held in memory. A growing learner takes ids in the order of discovery.
-/// \throws std::runtime_error "NAME:LINE:COLUMN: ..." for what StepLogReader refuses and for ids that the learner does
-/// not have; what the learner itself throws. What came before the error was learnt, and no episode is running then:
+/// \throws std::runtime_error "NAME:LINE:COLUMN: ..." for what StepLogReader refuses, for ids that the learner does
+/// not have and rewards beyond what learners take; what the learner itself throws. What came before the error was learnt, and no episode is running then:
 /// for_each_step checks a log without learning. std::logic_error if an episode is running.
 template <class Learner>
 StepLogContent replay(std::istream& in, const std::string& name, Learner& learner) {
@@ -75,7 +82,7 @@ StepLogContent replay(std::istream& in, const std::string& name, Learner& learne
     StepLogReader log(in, name);
     try {
         while (log.next()) {
-            detail::require_ids_of(learner, log);
+            detail::require_step_for(learner, log);
             detail::live_through(learner, log);
         }
     } catch (...) {
