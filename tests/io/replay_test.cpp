@@ -75,7 +75,7 @@ TYPED_TEST(Replay, MakesABitwiseCopy) {
     EXPECT_EQ(fingerprint(actor), fingerprint(pupil));
 }
 
-TYPED_TEST(Replay, SaysWhereIdsAreNotTheLearners) {
+TYPED_TEST(Replay, SaysWhereAStepIsNotForTheLearner) {
     TypeParam learner(10, 3, {}, 1);
     const auto error = [&](const std::string& line) {
         std::istringstream in(header + "0,0,1,0,0,2,0,0\n" + line + "\n");
@@ -88,7 +88,7 @@ TYPED_TEST(Replay, SaysWhereIdsAreNotTheLearners) {
     EXPECT_EQ(error("0,1,2,0,0,10,0,0"), "log:3:11: next must be below the learner's number of states, 10, got '10'");
     EXPECT_EQ(error("1,0,12,0,0,1,0,0"), "log:3:5: state must be below the learner's number of states, 10, got '12'");
     EXPECT_EQ(error("0,1,3,0,0,1,0,0"), "log:3:5: state 3 is not where the last step led, 2");
-    EXPECT_EQ(learner.visits()(state_id(1), action_id(0)), 4u) << "what came before was learnt";
+    EXPECT_EQ(learner.visits()(state_id(1), action_id(0)), 5u) << "what came before was learnt";
 }
 
 TYPED_TEST(Replay, OfACutLogLearnsTheWholeLines) {
