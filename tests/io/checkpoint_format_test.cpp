@@ -6,11 +6,9 @@
 #include <filesystem>
 #include <string>
 
-#include <boost/crc.hpp>
 
 #include "io/file_testing.hpp"
 
-#include <sspql/core/random.hpp>
 #include <sspql/learn/dyna_q.hpp>
 #include <sspql/learn/dyna_q_plus.hpp>
 #include <sspql/learn/prioritized_sweeping.hpp>
@@ -60,27 +58,6 @@ TEST(CheckpointFormat, FilesOfFormat1AreRead) {
     EXPECT_EQ(loaded("adaptive-chore", AdaptiveSspql<>(3, 2)).params().slice, 2u);
     const auto agent = loaded("agent", Agent(HashedState<std::string>{}, Commands{}, QLearningParams<>{}));
     EXPECT_EQ(agent.states().key(state_id(1)), "hall");
-}
-
-TEST(CheckpointFormat, TheChecksumIsZlibs) {
-    detail::Crc32 crc;
-    crc.add("123456789", 9);
-    EXPECT_EQ(crc.value(), 0xCBF43926u);  // the check value in every catalogue of CRCs
-    Random random(1);
-    for (std::size_t n = 0; n < 100; ++n) {
-        std::string bytes;
-        for (std::size_t i = 0; i < n; ++i) bytes.push_back(static_cast<char>(random.below(256)));
-        boost::crc_32_type theirs;
-        theirs.process_bytes(bytes.data(), bytes.size());
-        detail::Crc32 whole;
-        whole.add(bytes.data(), n);
-        detail::Crc32 parts;
-        const std::size_t cut = n == 0 ? 0 : random.below(n);
-        parts.add(bytes.data(), cut);
-        parts.add(bytes.data() + cut, n - cut);
-        EXPECT_EQ(whole.value(), theirs.checksum()) << n << " bytes";
-        EXPECT_EQ(parts.value(), theirs.checksum()) << n << " bytes cut at " << cut;
-    }
 }
 
 /// The header, byte by byte, as docs/checkpoint-format.md has it.

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include <sspql/io/crc32_folding.hpp>
+
 namespace sspql::detail {
 
 /// Remainders of all bytes, each followed by 0 to 15 zero bytes.
@@ -14,7 +16,7 @@ constexpr CrcTables make_crc_tables() noexcept {
     CrcTables tables{};
     for (std::uint32_t byte = 0; byte < 256; ++byte) {
         std::uint32_t remainder = byte;
-        for (int bit = 0; bit < 8; ++bit) remainder = (remainder >> 1) ^ ((remainder & 1u) != 0 ? 0xEDB88320u : 0u);
+        for (int bit = 0; bit < 8; ++bit) remainder = (remainder >> 1) ^ ((remainder & 1u) != 0 ? crc_polynomial : 0u);
         tables[0][byte] = remainder;
     }
     for (std::size_t k = 1; k < 16; ++k) {
@@ -28,12 +30,28 @@ constexpr CrcTables make_crc_tables() noexcept {
 
 inline constexpr CrcTables crc_tables = make_crc_tables();
 
-/// The checksum of zlib, PNG and Ethernet (CRC-32, reflected polynomial EDB88320), 16 bytes at a time: it must not
-/// be slower than the disk. Notices every change of up to 32 neighbouring bits.
+/// The checksum of zlib, PNG and Ethernet (CRC-32, reflected polynomial EDB88320), 16 bytes at a time or, where the
+/// processor can, 64: it must not be slower than the disk. Notices every change of up to 32 neighbouring bits.
 class Crc32 {
 public:
     void add(const void* data, std::size_t size) noexcept {
         const auto* byte = static_cast<const unsigned char*>(data);
+#if SSPQL_HAS_CRC_FOLDING
+        if (size >= 128 && can_fold_crc()) {
+            const std::size_t blocks = size / 16;
+            std::array<unsigned char, 16> folded;
+            fold_crc(crc_, byte, blocks, folded.data());
+            crc_ = 0;
+            add_by_tables(folded.data(), folded.size());
+            byte += 16 * blocks;
+            size -= 16 * blocks;
+        }
+#endif
+        add_by_tables(byte, size);
+    }
+
+    /// The same on any processor.
+    void add_by_tables(const unsigned char* byte, std::size_t size) noexcept {
         std::uint32_t crc = crc_;
         for (; size >= 16; size -= 16, byte += 16) {
             crc = four(crc_tables.data() + 12, word(byte) ^ crc) ^ four(crc_tables.data() + 8, word(byte + 4)) ^
