@@ -85,6 +85,7 @@
 // io: what was learnt, in files
 #include <sspql/io/checkpoint.hpp>
 #include <sspql/io/dot.hpp>
+#include <sspql/io/explain.hpp>
 #include <sspql/io/logged.hpp>
 #include <sspql/io/npy.hpp>
 #include <sspql/io/policy_csv.hpp>

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 #include <vector>
 
+#include <sspql/core/concepts.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/model/probability.hpp>
 #include <sspql/model/transition_counts.hpp>
@@ -51,6 +53,15 @@ private:
     double greatest_ = 0.0;
 };
 
+template <class Learner>
+using TreeExpression = decltype(std::declval<const Learner&>().tree().next);
+
+template <class Learner>
+using GoalsExpression = decltype(std::declval<const Learner&>().goals());
+
+template <class Learner>
+using CountsExpression = decltype(std::declval<const Learner&>().counts());
+
 }  // namespace detail
 
 /// The shortest paths to these goals that the counts know of, by expected weight: the sum of weight / P along the path,
@@ -60,6 +71,48 @@ private:
 template <class Cell>
 [[nodiscard]] ShortestPathTree learnt_paths(const TransitionCounts<Cell>& counts, const std::vector<Goal>& goals) {
     return shortest_paths_to(detail::ExpectedTriesGraph<Cell>(counts), goals);
+}
+
+/// The goals that counts with rewards tell of, by the rule of GoalBook: a state where an episode terminated with a mean
+/// reward > 0, and, where steps that do not terminate bring rewards other than 0 (they have costs), every state where
+/// one terminated. Ascending. O(m |A|).
+template <class Cell>
+[[nodiscard]] std::vector<Goal> learnt_goals(const TransitionCounts<Cell>& counts) {
+    static_assert(Cell::keeps_rewards, "sspql: learnt_goals needs a Cell that keeps rewards (FadingCell)");
+    enum : unsigned char { plain, terminal, rewarding };
+    std::vector<unsigned char> kind(counts.states(), plain);
+    bool costs_seen = false;
+    for (std::size_t s = 0; s < counts.states(); ++s) {
+        counts.for_each_successor(state_id(s), [&](const auto& successor) {
+            unsigned char& known = kind[index(successor.state())];
+            successor.for_each_action([&](ActionId, const Cell& cell) {
+                const double reward = cell.mean_reward();
+                if (!cell.terminal()) {
+                    costs_seen = costs_seen || reward < 0.0 || reward > 0.0;
+                } else {
+                    known = std::max<unsigned char>(known, reward > 0.0 ? rewarding : terminal);
+                }
+            });
+        });
+    }
+    std::vector<Goal> goals;
+    for (std::size_t s = 0; s < kind.size(); ++s) {
+        if (kind[s] == rewarding || (kind[s] == terminal && costs_seen)) goals.push_back({state_id(s), 0.0});
+    }
+    return goals;
+}
+
+/// The shortest paths a learner that keeps counts knows of: its own tree where it has one (Sspql; costs of eq. 2), else
+/// those by expected weight to its goals() or, without such a member, to the learnt_goals.
+template <class Learner>
+[[nodiscard]] auto learnt_paths(const Learner& learner) -> decltype(learner.counts(), ShortestPathTree()) {
+    if constexpr (detail::is_detected_v<detail::TreeExpression, Learner>) {
+        return learner.tree();
+    } else if constexpr (detail::is_detected_v<detail::GoalsExpression, Learner>) {
+        return learnt_paths(learner.counts(), learner.goals());
+    } else {
+        return learnt_paths(learner.counts(), learnt_goals(learner.counts()));
+    }
 }
 
 }  // namespace sspql

@@ -11,6 +11,7 @@
 #include <sspql/core/ids.hpp>
 #include <sspql/io/atomic_file.hpp>
 #include <sspql/io/label_text.hpp>
+#include <sspql/io/learnt_paths.hpp>
 #include <sspql/spaces/action_policy.hpp>
 #include <sspql/spaces/state_policy.hpp>
 
@@ -23,9 +24,6 @@ struct PolicyLabels {
 };
 
 namespace detail {
-
-template <class Learner>
-using TreeExpression = decltype(std::declval<const Learner&>().tree().next);
 
 template <class Learner>
 using PathLengthExpression = decltype(std::declval<const Learner&>().path_length(StateId{}));

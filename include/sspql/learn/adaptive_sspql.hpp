@@ -18,6 +18,8 @@
 #include <sspql/learn/adaptive/retrace.hpp>
 #include <sspql/learn/adaptive_params.hpp>
 #include <sspql/learn/transition.hpp>
+#include <sspql/model/cells.hpp>
+#include <sspql/paths/shortest_paths.hpp>
 
 namespace sspql {
 
@@ -101,6 +103,26 @@ public:
     [[nodiscard]] double path_length(StateId s) const {
         Base::require_known(s);
         return distances_.distance(s);
+    }
+
+    /// The goals that hold now: those told, else the states where an episode ended, the last time, with a reward that
+    /// counts as a goal's (OptimismScale), ascending. O(distinct (s,a,s') seen).
+    [[nodiscard]] std::vector<Goal> goals() const {
+        if (!this->goals_.empty()) return this->goals_.goals();
+        std::vector<bool> reached(Base::states(), false);
+        for (const StateId s : order_) {
+            this->model_.counts().for_each_successor(s, [&](const auto& successor) {
+                successor.for_each_action([&](ActionId, const FadingCell& cell) {
+                    if (!cell.terminal() || !scale_.counts_as_goal(cell.mean_reward())) return;
+                    reached[index(successor.state())] = true;
+                });
+            });
+        }
+        std::vector<Goal> goals;
+        for (std::size_t s = 0; s < reached.size(); ++s) {
+            if (reached[s]) goals.push_back({state_id(s), 0.0});
+        }
+        return goals;
     }
 
     /// The scale between values and steps.
