@@ -155,7 +155,6 @@ TEST_F(AtomicFileTest, FullDiskKeepsTheOldFileAndIsRemembered) {
 }
 
 TEST_F(AtomicFileTest, WritesToDevicesDirectly) {
-    if (!fs::exists("/dev/full")) GTEST_SKIP();
     write_file("/dev/null", "nothing");
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
     EXPECT_EQ(refusal("/dev/full"), "cannot write /dev/full: No space left on device");

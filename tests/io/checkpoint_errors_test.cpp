@@ -77,11 +77,7 @@ TEST(CheckpointErrors, NoCheckpointAtAll) {
 }
 
 TEST(CheckpointErrors, AnAgentsFileForItsLearnerAlone) {
-    struct Commands {
-        [[nodiscard]] std::size_t size() const { return 2; }
-        [[nodiscard]] int decode(ActionId a) const { return static_cast<int>(a); }
-    };
-    const Agent agent(HashedState<int>{}, Commands{}, QLearningParams<>{});
+    const Agent agent(HashedState<int>{}, sspql::testing::TwoCommands{}, QLearningParams<>{});
     EXPECT_EQ(refusal(save_to_bytes(agent), QLearning<>(StateCount::growing(), 2)),
               "checkpoint robot: has section 'states' where this learner expects 'end'");
 }

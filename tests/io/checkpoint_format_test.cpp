@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <string>
 
-
+#include "io/checkpoint_testing.hpp"
 #include "io/file_testing.hpp"
 
 #include <sspql/learn/dyna_q.hpp>
@@ -22,11 +22,6 @@ using namespace sspql;
 using namespace sspql::testing;
 
 namespace {
-
-struct Commands {
-    [[nodiscard]] std::size_t size() const { return 2; }
-    [[nodiscard]] int decode(ActionId a) const { return static_cast<int>(a); }
-};
 
 std::string data(const std::string& name) {
     return (std::filesystem::path(__FILE__).parent_path() / "data" / "format-1" / (name + ".sspql")).string();
@@ -56,7 +51,7 @@ TEST(CheckpointFormat, FilesOfFormat1AreRead) {
     EXPECT_EQ(loaded("sspql-instalments", Sspql<>(3, 2)).params().path_budget, 3u);
     EXPECT_TRUE(loaded("adaptive", AdaptiveSspql<>(3, 2)).scale().goal_known());
     EXPECT_EQ(loaded("adaptive-chore", AdaptiveSspql<>(3, 2)).params().slice, 2u);
-    const auto agent = loaded("agent", Agent(HashedState<std::string>{}, Commands{}, QLearningParams<>{}));
+    const auto agent = loaded("agent", Agent(HashedState<std::string>{}, TwoCommands{}, QLearningParams<>{}));
     EXPECT_EQ(agent.states().key(state_id(1)), "hall");
 }
 

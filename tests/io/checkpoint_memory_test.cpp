@@ -21,11 +21,6 @@ using namespace sspql::testing;
 
 namespace {
 
-struct Commands {
-    [[nodiscard]] std::size_t size() const { return 2; }
-    [[nodiscard]] int decode(ActionId a) const { return static_cast<int>(a); }
-};
-
 /// Loads `bytes` with lengths that are lies, damaged or with the checksums set right.
 template <class T>
 void expect_modest(const std::string& bytes, const T& like) {
@@ -64,7 +59,7 @@ std::string story(L learner) {
 TEST(CheckpointMemory, NoAllocationIsLargerThanTheFileExplains) {
     expect_modest(story(Sspql<>(StateCount::growing(), 2)), Sspql<>(StateCount::growing(), 2));
     expect_modest(story(AdaptiveSspql<>(StateCount::growing(), 2)), AdaptiveSspql<>(StateCount::growing(), 2));
-    Agent agent(HashedState<std::string>{}, Commands{}, QLearningParams<>{});
+    Agent agent(HashedState<std::string>{}, sspql::testing::TwoCommands{}, QLearningParams<>{});
     static_cast<void>(agent.begin(std::string("kitchen")));
     static_cast<void>(agent.step(0.0, std::string("hall")));
     expect_modest(save_to_bytes(agent), agent);

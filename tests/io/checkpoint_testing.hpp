@@ -20,6 +20,12 @@
 
 namespace sspql::testing {
 
+/// Two actions, whose commands are their numbers.
+struct TwoCommands {
+    [[nodiscard]] std::size_t size() const { return 2; }
+    [[nodiscard]] int decode(ActionId a) const { return static_cast<int>(a); }
+};
+
 /// A walk on `states` states in a ring, one step in five to a random state: rewards, step costs from time to time,
 /// weights, masks, hints, steps of others, episodes that end, are cut and are aborted. Copy it to fork the story.
 class Story {

@@ -22,13 +22,14 @@
 #include <sspql/spaces/hashed_state.hpp>
 
 #include "io/file_testing.hpp"
+#include "io/logged_steps.hpp"
 
 namespace sspql {
 namespace {
 
 using testing::error_of;
 
-const std::string header = "episode,step,state,action,reward,next,terminated,truncated\n";
+using sspql::testing::header;
 
 /// Q, counts and tree.
 std::vector<double> learnt(const Sspql<>& learner) {

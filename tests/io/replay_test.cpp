@@ -13,6 +13,7 @@
 #include <sspql/io/step_log.hpp>
 
 #include "io/file_testing.hpp"
+#include "io/logged_steps.hpp"
 #include "learn/learner_testing.hpp"
 
 namespace sspql {
@@ -22,7 +23,7 @@ using testing::error_of;
 using testing::fingerprint;
 using testing::Room;
 
-const std::string header = "episode,step,state,action,reward,next,terminated,truncated\n";
+using sspql::testing::header;
 
 template <class L>
 class Replay : public testing::FileTest {

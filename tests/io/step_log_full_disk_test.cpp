@@ -13,6 +13,7 @@
 #include <sspql/io/step_log_reader.hpp>
 
 #include "io/file_testing.hpp"
+#include "io/logged_steps.hpp"
 
 namespace sspql {
 namespace {
@@ -24,11 +25,8 @@ using testing::limit_files_to;
 
 using StepLogFullDisk = testing::FileTest;
 
-const std::string header = "episode,step,state,action,reward,next,terminated,truncated\n";
-
-Transition step(std::size_t s, std::size_t a, double reward, std::size_t next, bool terminated = false) {
-    return {state_id(s), action_id(a), reward, state_id(next), terminated};
-}
+using sspql::testing::header;
+using sspql::testing::step;
 
 // The disk is full in the middle of a line; then there is room again. Nothing is missing and nothing twice.
 TEST_F(StepLogFullDisk, IsReportedAndCaughtUpWith) {

@@ -9,10 +9,12 @@
 #include <string>
 #include <vector>
 
+#include "io/logged_steps.hpp"
+
 namespace sspql {
 namespace {
 
-const std::string header = "episode,step,state,action,reward,next,terminated,truncated\n";
+using sspql::testing::header;
 
 struct Reading {
     StepLogContent content;

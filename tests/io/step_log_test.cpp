@@ -14,6 +14,7 @@
 #include <sspql/io/step_log_reader.hpp>
 
 #include "io/file_testing.hpp"
+#include "io/logged_steps.hpp"
 
 namespace sspql {
 namespace {
@@ -25,11 +26,8 @@ using testing::set_content;
 
 using StepLogTest = testing::FileTest;
 
-const std::string header = "episode,step,state,action,reward,next,terminated,truncated\n";
-
-Transition step(std::size_t s, std::size_t a, double reward, std::size_t next, bool terminated = false) {
-    return {state_id(s), action_id(a), reward, state_id(next), terminated};
-}
+using sspql::testing::header;
+using sspql::testing::step;
 
 TEST_F(StepLogTest, OneLineAStep) {
     StepLog log(path("run.csv"));

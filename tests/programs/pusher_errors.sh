@@ -2,32 +2,7 @@
 # What the program does not understand gives one line on stderr, nothing on stdout, exit 2, and leaves no file behind.
 set -u
 program=$1/bench/pusher_experiment
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-mkdir "$work/results"
-failures=0
-
-# refused TEXT ARGUMENTS...: TEXT must stand in the line.
-refused() {
-    text=$1
-    shift
-    "$program" "$@" >"$work/out" 2>"$work/err"
-    status=$?
-    problem=
-    [ "$status" -eq 2 ] || problem="exit $status instead of 2"
-    [ "$(wc -l <"$work/err")" -eq 1 ] || problem="$problem; not one line on stderr"
-    [ ! -s "$work/out" ] || problem="$problem; something on stdout"
-    grep -qF -- "$text" "$work/err" || problem="$problem; the line lacks '$text'"
-    left=$(ls -A "$work/results")
-    [ -z "$left" ] || problem="$problem; left behind: $left"
-    rm -rf "$work/results"
-    mkdir "$work/results"
-    if [ -n "$problem" ]; then
-        printf 'pusher_experiment %s: %s\n' "$*" "$problem"
-        cat "$work/err"
-        failures=$((failures + 1))
-    fi
-}
+. "$2/tests/programs/lib/refused.sh"
 
 json=$work/results/out.json
 html=$work/results/out.html
@@ -75,32 +50,8 @@ refused "$work/results" --backend kinematic --seeds 1 --episodes 1 --csv "$csv" 
 refused /nowhere/out.html --backend kinematic --seeds 1 --episodes 1 --json "$json" --html /nowhere/out.html
 refused /nowhere/out.csv --backend kinematic --seeds 1 --episodes 1 --json "$json" --csv /nowhere/out.csv
 
-# A result that was there survives a command line that is refused.
-echo precious >"$work/kept.json"
-"$program" --backend kinematic --seeds 0 --json "$work/kept.json" >/dev/null 2>&1
-[ "$(cat "$work/kept.json")" = precious ] || {
-    echo "a refused command changed the file it should have written"
-    failures=$((failures + 1))
-}
-
-# The other way round: what is right is accepted, with exit 0 and nothing on stderr but progress.
-"$program" $all --seeds 1 --learners q,sspql --set '*.gamma=.9' --set sspql.lambda=1 >"$work/out" 2>"$work/err" || {
-    echo "a good command line was refused"
-    cat "$work/err"
-    failures=$((failures + 1))
-}
-for file in "$json" "$html" "$csv"; do
-    [ -s "$file" ] || {
-        echo "$file was not written"
-        failures=$((failures + 1))
-    }
-done
-for option in --help --version; do
-    "$program" $option >"$work/out" 2>"$work/err" || failures=$((failures + 1))
-    [ -s "$work/out" ] && [ ! -s "$work/err" ] || {
-        echo "$option must answer on stdout"
-        failures=$((failures + 1))
-    }
-done
+refusal_keeps --backend kinematic --seeds 0 --json "$work/kept"
+accepted "$json" "$html" "$csv" -- $all --seeds 1 --learners q,sspql --set '*.gamma=.9' --set sspql.lambda=1
+answers_help_and_version
 
 [ "$failures" -eq 0 ]

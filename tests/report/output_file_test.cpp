@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
-#include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
-#include <csignal>
-#include <cstddef>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 #include <string>
 
+#include "io/file_testing.hpp"
 #include "report/output_file.hpp"
 
 namespace sspql::report {
@@ -21,40 +16,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A directory of its own for each test.
-class OutputFile : public testing::Test {
-protected:
-    void SetUp() override {
-        std::string name = (fs::temp_directory_path() / "sspql-output-XXXXXX").string();
-        ASSERT_NE(::mkdtemp(name.data()), nullptr);
-        directory_ = name;
-    }
-    void TearDown() override {
-        std::error_code ignored;
-        fs::permissions(directory_, fs::perms::owner_all, ignored);
-        fs::remove_all(directory_, ignored);
-    }
-
-    [[nodiscard]] std::string path(const std::string& name) const { return (directory_ / name).string(); }
-    [[nodiscard]] std::size_t files() const {
-        return static_cast<std::size_t>(std::distance(fs::directory_iterator(directory_), fs::directory_iterator()));
-    }
-    static std::string content(const std::string& file) {
-        std::ifstream in(file, std::ios::binary);
-        return {std::istreambuf_iterator<char>(in), {}};
-    }
-
-    fs::path directory_;
-};
+using OutputFile = sspql::testing::FileTest;
+using sspql::testing::content;
+using sspql::testing::in_child;
 
 template <class Call>
 std::string error_of(Call call) {
-    try {
-        call();
-    } catch (const std::runtime_error& error) {
-        return error.what();
-    }
-    return "no error";
+    return sspql::testing::error_of<std::runtime_error>(call);
 }
 
 TEST_F(OutputFile, WritesAndReplaces) {
@@ -112,15 +80,6 @@ TEST_F(OutputFile, BadPathsAreNamedWithTheReason) {
     EXPECT_EQ(files(), 2u);
 }
 
-/// Runs `check` in a child process, which may change its limits and its user; true if it returned true.
-template <class Check>
-bool in_child(Check check) {
-    const pid_t child = ::fork();
-    if (child == 0) ::_exit(check() ? 0 : 1);
-    int status = 0;
-    return child > 0 && ::waitpid(child, &status, 0) == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-}
-
 TEST_F(OutputFile, ReadOnlyDirectoryIsRefused) {
     write_file(path("old"), "content");
     ASSERT_EQ(::chmod(directory_.c_str(), 0555), 0);
@@ -153,9 +112,7 @@ TEST_F(OutputFile, FullDiskKeepsTheOldFile) {
     const std::string file = path("report.json");
     write_file(file, "old");
     EXPECT_TRUE(in_child([&] {
-        std::signal(SIGXFSZ, SIG_IGN);
-        const rlimit limit{4096, 4096};
-        if (::setrlimit(RLIMIT_FSIZE, &limit) != 0) return false;
+        if (!sspql::testing::limit_files_to(4096)) return false;
         return error_of([&] { write_file(file, std::string(100000, 'x')); }) ==
                "cannot write " + file + ": File too large";
     }));
@@ -164,7 +121,6 @@ TEST_F(OutputFile, FullDiskKeepsTheOldFile) {
 }
 
 TEST_F(OutputFile, FullDeviceIsAnError) {
-    if (!fs::exists("/dev/full")) GTEST_SKIP();
     EXPECT_EQ(error_of([] { write_file("/dev/full", "x"); }), "cannot write /dev/full: No space left on device");
 }
 

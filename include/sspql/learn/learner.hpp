@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -244,8 +245,10 @@ private:
     }
 
     static void require_outcome(double reward, double weight) {
-        require_finite("reward", reward);
-        require_in("reward", reward, -max_reward, max_reward);
+        if (!(std::fabs(reward) <= max_reward)) {  // one comparison a step; then which of the two it is
+            require_finite("reward", reward);
+            require_in("reward", reward, -max_reward, max_reward);
+        }
         require_in("weight", weight, min_weight, max_weight);
     }
 
