@@ -20,6 +20,7 @@
 #include <sspql/env/grid_world.hpp>
 #include <sspql/env/table_csv.hpp>
 #include <sspql/env/tabular_environment.hpp>
+#include <sspql/env/windy.hpp>
 #include <sspql/learn/exact_steps.hpp>
 #include <sspql/learn/exact_values.hpp>
 #include <sspql/run/parallel.hpp>
@@ -80,6 +81,15 @@ SlipKind slip_kind(const std::string& name) {
     return name == "lost" ? SlipKind::lost : SlipKind::other;
 }
 
+/// Sutton and Barto's windy grid worlds: example 6.5, exercises 6.9 and 6.10.
+std::optional<WindyParams> windy_params(const std::string& name) {
+    if (name != "windy" && name != "windy-king" && name != "windy-gusts") return std::nullopt;
+    WindyParams params;
+    if (name != "windy") params.moves = WindyMoves::king;
+    if (name == "windy-gusts") params.gusts = 1.0 / 3.0;
+    return params;
+}
+
 Phase map_phase(const std::string& name, const GridOptions& options) {
     if (name == "chain") {
         const double slip = options.slip.value_or(0.1);
@@ -87,6 +97,11 @@ Phase map_phase(const std::string& name, const GridOptions& options) {
         ChainParams params;
         params.probability = 1.0 - slip;
         TransitionTable table = chain_table(params);
+        return {name, TabularEnvironment(table), table, {}, 0};
+    }
+    if (const std::optional<WindyParams> params = windy_params(name)) {
+        if (options.slip) throw std::invalid_argument("--slip does not go with " + name + ": its chance is the wind's");
+        TransitionTable table = windy_table(*params);
         return {name, TabularEnvironment(table), table, {}, 0};
     }
     std::optional<GridTask> task = find_grid_task(name);
@@ -142,9 +157,11 @@ std::vector<Phase> phases_of(const GridOptions& options) {
     for (const std::string& name : split(options.maps, ',')) phases.push_back(map_phase(name, options));
     for (Phase& phase : phases) {
         if (phase.states() != phases.front().states() || phase.actions() != phases.front().actions()) {
-            throw std::invalid_argument("the maps of a chain must be equally large: " + phases.front().name + " has " +
-                                        std::to_string(phases.front().states()) + " cells, " + phase.name + " has " +
-                                        std::to_string(phase.states()));
+            const auto size = [](const Phase& p) {
+                return p.name + " has " + std::to_string(p.states()) + " cells and " + std::to_string(p.actions()) + " actions";
+            };
+            throw std::invalid_argument("the maps of a chain must be equally large: " + size(phases.front()) + ", " +
+                                        size(phase));
         }
         if (options.total_steps > 0) phase.total_steps = static_cast<std::size_t>(options.total_steps);
         if (phase.total_steps == 0 && !options.report_at.empty()) {
@@ -254,7 +271,7 @@ bool parse(GridOptions& options, int argc, char** argv) {
     Options parser("grid_experiment",
                    "Learners on grid worlds: steps per episode, and how they cope when the map changes (Fig. 5 of Kwon, "
                    "Suh and Lee 2011), Sutton and Barto's mazes, or any tabular MDP from a CSV file.");
-    std::string names = "chain";
+    std::string names = "chain windy windy-king windy-gusts";
     for (const std::string& name : grid_task_names()) names += " " + name;
     names += " walls60 walls60:2 (and the like)";
     parser.text("--maps", options.maps, "Maps, one after the other, what was learnt goes along: names or files");

@@ -76,11 +76,13 @@
 #include <sspql/env/environment.hpp>
 #include <sspql/env/grid_maps.hpp>
 #include <sspql/env/grid_world.hpp>
+#include <sspql/env/mountain_car.hpp>
 #include <sspql/env/random_mdp.hpp>
 #include <sspql/env/random_walls.hpp>
 #include <sspql/env/table_csv.hpp>
 #include <sspql/env/tabular_environment.hpp>
 #include <sspql/env/time_limit.hpp>
+#include <sspql/env/windy.hpp>
 
 // io: what was learnt, in files
 #include <sspql/io/checkpoint.hpp>
