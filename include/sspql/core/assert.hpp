@@ -10,6 +10,7 @@
 
 #if !defined(SSPQL_ENABLE_ASSERTIONS)
 #if !defined(NDEBUG) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+/// 1: failed assertions print and abort. 0: they cost nothing. Define it to choose. \ingroup core
 #define SSPQL_ENABLE_ASSERTIONS 1
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer) || __has_feature(memory_sanitizer)
@@ -32,6 +33,8 @@ namespace sspql::detail {
     std::abort();
 }
 }  // namespace sspql::detail
+/// Prints file, line, message and condition to stderr and aborts if the condition is false, where
+/// SSPQL_ENABLE_ASSERTIONS; else `condition` is not evaluated. \ingroup core
 #define SSPQL_ASSERT(condition, message) \
     ((condition) ? static_cast<void>(0)  \
                  : ::sspql::detail::assertion_failed(#condition, message, __FILE__, __LINE__))

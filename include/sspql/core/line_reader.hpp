@@ -34,8 +34,10 @@ namespace sspql {
 /// std::invalid_argument if max_line is 0.
 class LineReader {
 public:
+    /// The longest line that is read unless told otherwise, in bytes: 1 MiB.
     static constexpr std::size_t default_max_line = std::size_t{1} << 20;
 
+    /// Reads from `in`; `name` is what errors call it. See above for what is thrown when.
     LineReader(std::istream& in, std::string name, std::size_t max_line = default_max_line)
         : in_(&in), name_(std::move(name)), max_line_(max_line) {
         if (max_line == 0) throw_invalid("max_line", "be at least 1", max_line);
@@ -69,6 +71,7 @@ public:
     /// Whether the current line has an end. The input's last line may have none, as where it was cut off.
     [[nodiscard]] bool ended() const noexcept { return ended_; }
 
+    /// What errors call the input.
     [[nodiscard]] const std::string& name() const noexcept { return name_; }
 
     /// Throws std::runtime_error("NAME:LINE:COLUMN: MESSAGE") for the current line (line 1 if there is none).

@@ -24,8 +24,10 @@ enum class RandomStream : std::uint64_t { environment = 1, learner = 2, noise = 
 /// Never take two draws in one argument list: C++ leaves their order open.
 class Random {
 public:
+    /// The engine's 256 bits.
     using State = std::array<std::uint64_t, 4>;
 
+    /// Starts the sequence of this seed and stream; any two numbers will do, 0 and 0 too.
     explicit Random(std::uint64_t seed, std::uint64_t stream = 0) noexcept {
         std::uint64_t x = seed;
         const std::uint64_t a = splitmix(x);
@@ -34,6 +36,7 @@ public:
         for (auto& word : state_) word = splitmix(z);
     }
 
+    /// Starts the sequence of a role.
     Random(std::uint64_t seed, RandomStream stream) noexcept : Random(seed, static_cast<std::uint64_t>(stream)) {}
 
     /// Goes on where another object's `state()` was taken. All zeros is no state of the engine and is refused by
@@ -45,6 +48,7 @@ public:
         return random;
     }
 
+    /// Where the sequence is; `from_state` goes on from there.
     [[nodiscard]] const State& state() const noexcept { return state_; }
 
     /// 64 random bits.

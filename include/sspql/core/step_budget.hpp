@@ -17,7 +17,7 @@ namespace sspql {
 /// The balance may become negative by that one piece; it is paid back from what is earned later.
 class StepBudget {
 public:
-    /// \throws std::invalid_argument if per_step is 0 or the bank is smaller than it.
+    /// Nothing to spend yet. \throws std::invalid_argument if per_step is 0 or the bank is smaller than it.
     StepBudget(std::uint64_t per_step, std::uint64_t bank) : per_step_(per_step), bank_(bank) {
         if (per_step == 0 || per_step > most) throw_invalid("budget per step", "lie between 1 and 10^15", per_step);
         if (bank < per_step || bank > most) {
@@ -42,11 +42,16 @@ public:
         balance_ += static_cast<std::int64_t>(std::min<std::uint64_t>(edges, most));
     }
 
+    /// This many edges were touched.
     void spend(std::uint64_t edges) noexcept { balance_ -= static_cast<std::int64_t>(edges); }
 
+    /// Whether nothing is left.
     [[nodiscard]] bool exhausted() const noexcept { return balance_ <= 0; }
+    /// Edges left; below 0 where the last piece of work went past the end.
     [[nodiscard]] std::int64_t balance() const noexcept { return balance_; }
+    /// Edges that a step earns.
     [[nodiscard]] std::uint64_t per_step() const noexcept { return per_step_; }
+    /// Edges that can be saved up.
     [[nodiscard]] std::uint64_t bank() const noexcept { return bank_; }
 
 private:
