@@ -67,14 +67,18 @@ template <class P>
 template <class Command>
 class ActionTable {
 public:
+    /// One action for each command, in this order.
     ActionTable(std::initializer_list<Command> commands) : ActionTable(std::vector<Command>(commands)) {}
 
+    /// The same with a vector, for a list made at run time.
     explicit ActionTable(std::vector<Command> commands) : commands_(std::move(commands)) {
         detail::require_id_count("number of actions", commands_.size());
     }
 
+    /// The number of actions.
     [[nodiscard]] std::size_t size() const noexcept { return commands_.size(); }
 
+    /// The command of an action, valid as long as the table. O(1).
     [[nodiscard]] const Command& decode(ActionId a) const {
         return commands_[index(detail::require_action_of(a, commands_.size()))];
     }
@@ -90,10 +94,13 @@ class EnumActions {
     static_assert(std::is_enum_v<T> || std::is_integral_v<T>, "sspql: EnumActions needs an enum or an integer type");
 
 public:
+    /// Actions 0 to size - 1.
     explicit EnumActions(std::size_t size) : size_(detail::require_id_count("number of actions", size)) {}
 
+    /// The number of actions.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
+    /// The value of an action. O(1).
     [[nodiscard]] T decode(ActionId a) const { return static_cast<T>(index(detail::require_action_of(a, size_))); }
 
 private:

@@ -19,10 +19,13 @@ class EnumState {
     static_assert(std::is_enum_v<T> || std::is_integral_v<T>, "sspql: EnumState needs an enum or an integer type");
 
 public:
+    /// Values 0 to size - 1.
     explicit EnumState(std::size_t size) : size_(detail::require_id_count("number of states", size)) {}
 
+    /// The number of states.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
+    /// The state of a value: the one with its number.
     [[nodiscard]] StateId encode(T value) const {
         const auto number = static_cast<long long>(value);
         if (number < 0 || static_cast<unsigned long long>(number) >= size_) {

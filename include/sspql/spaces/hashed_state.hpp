@@ -22,8 +22,10 @@ namespace sspql {
 template <class Key, class Hash = std::hash<Key>, class Equal = std::equal_to<Key>>
 class HashedState {
 public:
+    /// The number of states is discovered while encoding.
     static constexpr bool grows = true;
 
+    /// No states yet.
     HashedState() = default;
 
     /// Room for this many states without rehashing.
@@ -32,8 +34,11 @@ public:
         keys_.reserve(states);
     }
 
+    /// The number of states so far: of different keys met.
     [[nodiscard]] std::size_t size() const noexcept { return keys_.size(); }
 
+    /// The state of a key; a new one if it was never met. All or nothing: what is thrown leaves the states as they
+    /// were.
     StateId encode(const Key& key) {
         const auto known = ids_.find(key);
         if (known != ids_.end()) return known->second;

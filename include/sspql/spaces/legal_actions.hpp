@@ -44,11 +44,14 @@ inline constexpr bool stores_masks_v = detail::is_detected_v<detail::SetMaskExpr
 
 /// LegalActions: every action in every state.
 struct AllActions {
-    static constexpr const char* type_name = "all";
+    static constexpr const char* type_name = "all";  ///< in checkpoints
 
+    /// Contains every action.
     struct Everything {
+        /// True.
         [[nodiscard]] constexpr bool contains(ActionId) const noexcept { return true; }
     };
+    /// Every action.
     [[nodiscard]] constexpr Everything allowed(StateId) const noexcept { return {}; }
 };
 
@@ -56,12 +59,14 @@ struct AllActions {
 /// first mask; then ceil(|A| / 64) words a state, grown when a higher state gets a mask.
 class LegalActionTable {
 public:
-    static constexpr const char* type_name = "masks";
+    static constexpr const char* type_name = "masks";  ///< in checkpoints
 
     /// A view into the table, valid until the next `set`.
     class Allowed {
     public:
+        /// A view of these words, a bit an action; nullptr means every action.
         explicit Allowed(const std::uint64_t* words) noexcept : words_(words) {}
+        /// Whether the action is allowed. Precondition (unchecked): it is one of the learner's.
         [[nodiscard]] bool contains(ActionId a) const noexcept {
             return words_ == nullptr || ((words_[index(a) / 64] >> (index(a) % 64)) & 1u) != 0;
         }
@@ -70,11 +75,13 @@ public:
         const std::uint64_t* words_;
     };
 
+    /// The actions of s: its last mask, or every action. O(1).
     [[nodiscard]] Allowed allowed(StateId s) const noexcept {
         const std::size_t begin = index(s) * stride_;
         return Allowed(begin < words_.size() ? words_.data() + begin : nullptr);
     }
 
+    /// The mask of s from now on. O(|A| / 64), and growing the table where s is above all that have one.
     /// \throws std::invalid_argument for a mask without actions, or of another size than those before.
     void set(StateId s, const ActionSet& mask) {
         if (mask.is_empty()) throw_invalid("mask of state " + std::to_string(index(s)), "allow an action, of", mask.size());
@@ -92,8 +99,10 @@ public:
     /// The size of its masks; 0 while it has none.
     [[nodiscard]] std::size_t actions() const noexcept { return actions_; }
 
+    /// Room for the masks of this many states and actions.
     void reserve(std::size_t states, std::size_t actions) { words_.reserve(states * ((actions + 63) / 64)); }
 
+    /// Forgets all masks: everything is allowed again.
     void clear() noexcept {
         words_.clear();
         actions_ = 0;

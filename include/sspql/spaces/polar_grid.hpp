@@ -24,6 +24,7 @@ namespace sspql {
 /// \throws std::invalid_argument for no sectors, or edges that are not finite, positive and increasing.
 class PolarGrid {
 public:
+    /// `sectors` equal sectors and one ring more than there are edges, which must be positive and increase.
     PolarGrid(std::size_t sectors, std::vector<double> ring_edges)
         : sectors_(detail::require_id_count("sectors", sectors)), edges_(std::move(ring_edges)) {
         double previous = 0.0;
@@ -35,10 +36,14 @@ public:
         detail::require_id_count("sectors x rings", sectors_ * rings());
     }
 
+    /// The number of states, sectors x rings.
     [[nodiscard]] std::size_t size() const noexcept { return sectors_ * rings(); }
+    /// The number of sectors.
     [[nodiscard]] std::size_t sectors() const noexcept { return sectors_; }
+    /// The number of rings, one more than there are edges.
     [[nodiscard]] std::size_t rings() const noexcept { return edges_.size() + 1; }
 
+    /// The state of a position: anything with x in [0] and y in [1].
     template <class Observation>
     [[nodiscard]] auto encode(const Observation& position) const
         -> decltype(static_cast<double>(position[0]) + static_cast<double>(position[1]), StateId{}) {

@@ -25,13 +25,16 @@ class ProductState {
                                                "ProductState; hash the whole observation instead");
 
 public:
+    /// The factors, the slowest first. They are kept by value.
     explicit ProductState(Policies... policies) : policies_(std::move(policies)...) {
         std::apply([this](const Policies&... factor) { (multiply(factor.size()), ...); }, policies_);
     }
 
+    /// The number of states, the product of the factors' sizes.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
     template <class Observation, class = std::enable_if_t<(is_state_policy_v<Policies, Observation> && ...)>>
+    /// The state of an observation. Calls every factor's encode, and throws what they throw.
     [[nodiscard]] StateId encode(const Observation& observation) {
         std::size_t id = 0;
         std::apply(
@@ -79,21 +82,27 @@ private:
 template <class Policy, class Projection>
 class ProjectedState {
 public:
+    /// Whether the number of states is discovered while encoding: as the other policy says.
     static constexpr bool grows = grows_v<Policy>;
 
+    /// `policy` applied to what `projection`, a function of an observation, gives. Both are kept by value.
     ProjectedState(Policy policy, Projection projection)
         : policy_(std::move(policy)), projection_(std::move(projection)) {}
 
+    /// The number of states, the other policy's.
     [[nodiscard]] std::size_t size() const noexcept { return policy_.size(); }
 
+    /// The state of projection(observation). Throws what the two throw.
     template <class Observation>
     [[nodiscard]] auto encode(const Observation& observation)
         -> decltype(std::declval<Policy&>().encode(std::declval<Projection&>()(observation))) {
         return policy_.encode(projection_(observation));
     }
 
+    /// The other policy's description of a state.
     [[nodiscard]] std::string describe(StateId s) const { return describe_state(policy_, s); }
 
+    /// The other policy.
     [[nodiscard]] const Policy& policy() const noexcept { return policy_; }
 
 private:

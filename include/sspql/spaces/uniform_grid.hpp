@@ -17,10 +17,10 @@ namespace sspql {
 /// `periodic`: the quantity comes round (an angle): values are taken modulo high - low. Otherwise values outside fall
 /// into the first or last cell.
 struct GridAxis {
-    double low = 0.0;
-    double high = 1.0;
-    std::size_t cells = 1;
-    bool periodic = false;
+    double low = 0.0;       ///< the lower end, included
+    double high = 1.0;      ///< the upper end, excluded; > low
+    std::size_t cells = 1;  ///< how many intervals, at least 1
+    bool periodic = false;  ///< whether the quantity comes round
 };
 
 /// StatePolicy: equal boxes over R^N. The observation is anything with operator[] that gives N numbers
@@ -35,6 +35,7 @@ class UniformGrid {
     static_assert(N >= 1, "sspql: a UniformGrid needs at least one dimension");
 
 public:
+    /// The grid over these axes, the slowest first.
     explicit UniformGrid(const std::array<GridAxis, N>& axes) : axes_(axes) {
         size_ = 1;
         for (const GridAxis& axis : axes_) {
@@ -50,8 +51,10 @@ public:
         }
     }
 
+    /// The number of states: of boxes.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
+    /// The state of anything with N numbers in operator[].
     template <class Observation>
     [[nodiscard]] auto encode(const Observation& values) const -> decltype(static_cast<double>(values[0]), StateId{}) {
         detail::require_numbers(values, N);
@@ -81,6 +84,7 @@ public:
         return text;
     }
 
+    /// The axes, as given.
     [[nodiscard]] const std::array<GridAxis, N>& axes() const noexcept { return axes_; }
 
 private:
