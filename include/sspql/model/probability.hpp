@@ -9,6 +9,9 @@
 
 /// \file
 /// The maximum-likelihood reading of the counts: eqs. 3, 4 and 6 of Kwon, Suh and Lee (2011).
+///
+/// ProbabilityPolicy (concept): `double operator()(const TransitionCounts&, StateId s, const Successor&) const`, the
+/// P(s'|s) that enters the expected cost of an edge. 0 < P.
 
 namespace sspql {
 
@@ -22,13 +25,11 @@ template <class Cell>
     return total > 0.0 ? static_cast<double>(counts.n(s, a, next)) / total : 0.0;
 }
 
-/// ProbabilityPolicy (concept): `double operator()(const TransitionCounts&, StateId s, const Successor&) const`, the
-/// P(s'|s) that enters the expected cost of an edge. 0 < P.
-
 /// P(s'|s) = sum_a P(s'|s,a) (eq. 3), as printed: over all actions, so no probability; it lies in (0, |A|].
 struct SumOverActions {
-    static constexpr const char* type_name = "sum over actions";
+    static constexpr const char* type_name = "sum over actions";  ///< in checkpoints
 
+    /// P(s'|s) of a successor of s. O(actions that led there).
     template <class Cell>
     [[nodiscard]] double operator()(const TransitionCounts<Cell>& counts, StateId s,
                                     const typename TransitionCounts<Cell>::Successor& successor) const {
@@ -42,8 +43,9 @@ struct SumOverActions {
 
 /// P(s'|s) = max_a P(s'|s,a), in (0, 1]: the chance of getting there when trying to. Needed by ExpectedTries.
 struct BestAction {
-    static constexpr const char* type_name = "best action";
+    static constexpr const char* type_name = "best action";  ///< in checkpoints
 
+    /// P(s'|s) of a successor of s. O(actions that led there).
     template <class Cell>
     [[nodiscard]] double operator()(const TransitionCounts<Cell>& counts, StateId s,
                                     const typename TransitionCounts<Cell>::Successor& successor) const {

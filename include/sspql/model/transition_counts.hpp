@@ -25,8 +25,9 @@ struct CountsArchive;  // counts_archive.hpp
 
 }  // namespace detail
 
-/// The least and greatest weight of a transition (eq. 2); anything else is refused.
+/// The least weight of a transition (eq. 2); anything below is refused.
 inline constexpr double min_weight = 1e-30;
+/// The greatest weight of a transition (eq. 2); anything above is refused.
 inline constexpr double max_weight = 1e30;
 
 /// What was observed: N(s,a,s'), N(s,a) (eq. 4's counts), the mean weight of each (s,s') (eq. 2's weight(s,s')), and
@@ -53,11 +54,13 @@ class TransitionCounts {
     using Handle = typename detail::SparseCells<Cell>::Handle;
 
 public:
+    /// The type of N(s,a,s') and N(s,a): integers, or doubles that fade.
     using Number = typename Cell::Number;
 
     /// One (s,s') that was observed. A view: valid until the next record, erase or grow.
     class Successor {
     public:
+        /// s'.
         [[nodiscard]] StateId state() const noexcept { return edge_.block.state(edge_.at); }
 
         /// N(s,a,s').
@@ -78,6 +81,7 @@ public:
         /// Mean observed weight; 1 unless others were given.
         [[nodiscard]] double weight() const noexcept { return counts_->pairs_.weight(edge_); }
 
+        /// The label of (s,s'), see set_label; NaN until somebody wrote one.
         [[nodiscard]] double label() const noexcept { return counts_->pairs_.label(edge_); }
         /// For somebody who soon reads or writes it: has it fetched into the cache.
         void prefetch_label() const noexcept { detail::prefetch(&counts_->pairs_.label(edge_)); }
@@ -90,6 +94,7 @@ public:
         Edge edge_;
     };
 
+    /// Nothing counted yet.
     /// \throws std::invalid_argument for no actions or more than 2^32 - 2 states or actions. No states are fine.
     TransitionCounts(std::size_t states, std::size_t actions)
         : actions_(detail::require_id_count("number of actions", actions)),
@@ -97,7 +102,9 @@ public:
         if (states != 0) grow(states);
     }
 
+    /// The number of states, seen or not.
     [[nodiscard]] std::size_t states() const noexcept { return pairs_.states(); }
+    /// The number of actions.
     [[nodiscard]] std::size_t actions() const noexcept { return actions_; }
 
     /// Distinct (s,s') observed: the number of edges.
@@ -158,6 +165,7 @@ public:
 
     /// Number of distinct successors of s over all actions.
     [[nodiscard]] std::size_t out_degree(StateId s) const noexcept { return pairs_.out_size(s); }
+    /// Number of distinct predecessors of s over all actions.
     [[nodiscard]] std::size_t in_degree(StateId s) const noexcept { return pairs_.in_size(s); }
 
     /// Calls f(const Successor&) for every s' observed after s. O(out-degree).
@@ -217,6 +225,7 @@ public:
 
     /// States recorded since clear_dirty(), each once, in the order of their first record.
     [[nodiscard]] const std::vector<StateId>& dirty() const noexcept { return pairs_.dirty(); }
+    /// Nothing is dirty any more. O(dirty states).
     void clear_dirty() noexcept { pairs_.clear_dirty(); }
 
     /// Multiplies all counts of (s,a) by `factor`, then forgets those below `least`: fading (FadingCell only).

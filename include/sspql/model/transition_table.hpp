@@ -15,10 +15,10 @@ namespace sspql {
 /// One way in which an action may turn out: with this probability the state is `next`, after this reward, and if
 /// `terminal`, the episode has ended.
 struct Outcome {
-    StateId next{};
-    double probability = 1.0;
-    double reward = 0.0;
-    bool terminal = false;
+    StateId next{};            ///< the state it leads to
+    double probability = 1.0;  ///< of this outcome given (s,a), in (0, 1]
+    double reward = 0.0;       ///< that it brings, finite
+    bool terminal = false;     ///< whether it ends the episode
 };
 
 /// A Markov decision process that is known exactly: P(s',r,terminal|s,a) and the states in which episodes start (all
@@ -33,11 +33,17 @@ public:
     /// The outcomes of one (s,a), ordered by next state, reward, terminal. A view, valid as long as the table.
     class Outcomes {
     public:
+        /// The outcomes from `first` up to `last`, which is none of them.
         Outcomes(const Outcome* first, const Outcome* last) noexcept : first_(first), last_(last) {}
+        /// The first outcome.
         [[nodiscard]] const Outcome* begin() const noexcept { return first_; }
+        /// Past the last outcome.
         [[nodiscard]] const Outcome* end() const noexcept { return last_; }
+        /// How many outcomes there are.
         [[nodiscard]] std::size_t size() const noexcept { return static_cast<std::size_t>(last_ - first_); }
+        /// Whether there are none: the state does not have the action.
         [[nodiscard]] bool empty() const noexcept { return first_ == last_; }
+        /// Outcome i, 0 to size() - 1.
         [[nodiscard]] const Outcome& operator[](std::size_t i) const noexcept { return first_[i]; }
 
     private:
@@ -48,7 +54,9 @@ public:
     /// The actions of one state. A view, valid as long as the table.
     class Allowed {
     public:
+        /// Of `actions` actions those whose outcomes, between two of `offsets`, are not none.
         Allowed(const std::uint32_t* offsets, std::size_t actions) noexcept : offsets_(offsets), actions_(actions) {}
+        /// Whether the state has the action; false also for ids outside.
         [[nodiscard]] bool contains(ActionId a) const noexcept {
             return index(a) < actions_ && offsets_[index(a)] < offsets_[index(a) + 1];
         }
@@ -58,7 +66,9 @@ public:
         std::size_t actions_;
     };
 
+    /// The number of states.
     [[nodiscard]] std::size_t states() const noexcept { return states_; }
+    /// The number of actions.
     [[nodiscard]] std::size_t actions() const noexcept { return actions_; }
 
     /// Outcomes of all (s,a) together.
@@ -71,11 +81,13 @@ public:
         return {outcomes_.data() + at[0], outcomes_.data() + at[1]};
     }
 
+    /// The actions of s.
     [[nodiscard]] Allowed allowed(StateId s) const noexcept {
         SSPQL_ASSERT(index(s) < states_, "ids within range");
         return {offsets_.data() + index(s) * actions_, actions_};
     }
 
+    /// Whether s has any action.
     [[nodiscard]] bool has_actions(StateId s) const noexcept {
         SSPQL_ASSERT(index(s) < states_, "ids within range");
         return offsets_[index(s) * actions_] < offsets_[(index(s) + 1) * actions_];

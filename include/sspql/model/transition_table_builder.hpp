@@ -27,9 +27,12 @@ public:
     /// What the error is about.
     enum class Field { probability, next };
 
+    /// What is wrong, which row is to blame, counted from 0, and which of its fields.
     TransitionTableError(const std::string& message, std::size_t row, Field field)
         : std::invalid_argument(message), row_(row), field_(field) {}
+    /// Which `add` brought it; the first is 0.
     [[nodiscard]] std::size_t row() const noexcept { return row_; }
+    /// Which of its arguments is to blame.
     [[nodiscard]] Field field() const noexcept { return field_; }
 
 private:
@@ -66,11 +69,12 @@ public:
     /// The probabilities of an (s,a) must sum to 1 up to this.
     static constexpr double tolerance = 1e-9;
 
-    /// \throws std::invalid_argument for no states or actions, or more than 2^32 - 2.
+    /// No outcomes yet. \throws std::invalid_argument for no states or actions, or more than 2^32 - 2.
     TransitionTableBuilder(std::size_t states, std::size_t actions)
         : states_(detail::require_id_count("number of states", states)),
           actions_(detail::require_id_count("number of actions", actions)) {}
 
+    /// An outcome of a in s. Terminal outcomes end the episode.
     /// \throws std::invalid_argument for an id outside, a probability outside (0, 1] or a reward that is not finite;
     /// nothing has changed then.
     TransitionTableBuilder& add(StateId s, ActionId a, StateId next, double probability, double reward = 0.0,
