@@ -127,22 +127,28 @@ struct property_map<sspql::ReverseGraph, vertex_index_t> {
 
 namespace sspql {
 
+/// VertexListGraph: the number of states.
 inline std::size_t num_vertices(const ReverseGraph& g) { return g.size(); }
+/// EdgeListGraph: the number of edges.
 inline std::size_t num_edges(const ReverseGraph& g) { return g.edges(); }
 
+/// VertexListGraph: all states, 0 .. size() - 1.
 inline std::pair<boost::counting_iterator<std::size_t>, boost::counting_iterator<std::size_t>> vertices(
     const ReverseGraph& g) {
     return {boost::counting_iterator<std::size_t>(0), boost::counting_iterator<std::size_t>(g.size())};
 }
 
+/// EdgeListGraph: all edges, by the state they are out of, which is the one that the learnt edges lead to.
 inline std::pair<detail::EdgeIterator, detail::EdgeIterator> edges(const ReverseGraph& g) {
     return {detail::EdgeIterator(g, 0), detail::EdgeIterator(g, static_cast<std::uint32_t>(g.edges()))};
 }
 
+/// IncidenceGraph: the edges out of v, to the states that v was reached from.
 inline std::pair<detail::OutEdgeIterator, detail::OutEdgeIterator> out_edges(std::size_t v, const ReverseGraph& g) {
     return {detail::OutEdgeIterator(v, g.begin(state_id(v))), detail::OutEdgeIterator(v, g.end(state_id(v)))};
 }
 
+/// IncidenceGraph: how many edges are out of v.
 inline std::size_t out_degree(std::size_t v, const ReverseGraph& g) { return g.end(state_id(v)) - g.begin(state_id(v)); }
 
 namespace detail {
@@ -156,10 +162,13 @@ inline std::size_t target(const ReversedEdge& edge, const ReverseGraph& g) { ret
 using detail::source;
 using detail::target;
 
+/// The expected costs as a readable property map, valid as long as the graph.
 inline detail::EdgeCostMap get(boost::edge_weight_t, const ReverseGraph& g) { return {&g}; }
+/// An edge's expected cost.
 inline double get(boost::edge_weight_t, const ReverseGraph& g, const detail::ReversedEdge& edge) {
     return g.cost(edge.id);
 }
+/// The vertices are their own indices.
 inline boost::typed_identity_property_map<std::size_t> get(boost::vertex_index_t, const ReverseGraph&) { return {}; }
 
 }  // namespace sspql

@@ -38,7 +38,9 @@ class BoostQueue {
     static_assert(detail::QueueRequirements<Queue>::met);
 
 public:
+    /// A vertex.
     using value_type = typename boost::property_traits<DistanceMap>::key_type;
+    /// Counts vertices.
     using size_type = std::size_t;
     static_assert(std::is_integral_v<value_type>, "sspql: a BoostQueue's vertices are the numbers 0 .. n-1");
 
@@ -48,10 +50,14 @@ public:
         queue_.prepare(n, least_cost, greatest_cost);
     }
 
+    /// Whether nothing is queued.
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    /// How many vertices are queued.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
+    /// Whether v is queued.
     [[nodiscard]] bool contains(value_type v) const { return queued_[static_cast<std::size_t>(v)]; }
 
+    /// Queues v, which is not queued, with the key that the map holds for it.
     void push(value_type v) {
         SSPQL_ASSERT(!held_ && !contains(v), "a vertex not queued, and none between top and pop");
         count(v, true);
@@ -71,6 +77,7 @@ public:
         return top_;
     }
 
+    /// Drops top().
     void pop() {
         count(top(), false);
         held_ = false;

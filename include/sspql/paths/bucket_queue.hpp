@@ -27,12 +27,15 @@ namespace sspql {
 template <class Counters = NoCounters>
 class BucketQueue : public detail::QueuedVertices, private Counters {
 public:
+    /// Takes no keys below the last popped one.
     static constexpr bool monotone_only = true;
+    /// `pop` may return vertices out of order; `decrease` takes popped ones back.
     static constexpr bool corrects_labels = true;
 
     /// Costs that reach further ahead than this many buckets go through the heap.
     static constexpr std::size_t most_buckets = 4096;
 
+    /// Empty, with room for vertices 0 .. n-1 and buckets for costs within these bounds.
     void prepare(std::size_t n, double least_cost, double greatest_cost) {
         // Narrower than the least cost by more than the rounding of any distance up to 10^9 costs.
         const double width = least_cost * (1.0 - 1e-6);
@@ -42,12 +45,14 @@ public:
         size_ = 0;
     }
 
+    /// Queues a vertex that is not queued. O(1).
     void push(std::uint32_t vertex, double key) {
         Counters::count_push();
         ++size_;
         ring_.insert(vertex, key, ring_.place_for(key), vertex);
     }
 
+    /// Lowers the key of a queued vertex, or queues a popped one again. O(1).
     void decrease(std::uint32_t vertex, double key) {
         Counters::count_decrease();
         const std::uint16_t place = ring_.place_for(key);
@@ -60,6 +65,7 @@ public:
         ring_.insert(vertex, key, place, vertex);
     }
 
+    /// Takes out a vertex of the first bucket. O(1) amortised. Precondition (asserted): not empty.
     std::uint32_t pop() {
         SSPQL_ASSERT(!empty(), "pop from an empty queue");
         Counters::count_pop();
@@ -78,11 +84,13 @@ public:
         }
     }
 
+    /// The vertex that pop returns k pops from now if nothing changes in the bucket; no_vertex past its end.
     [[nodiscard]] std::uint32_t upcoming(std::size_t k) const noexcept {
         const std::vector<std::uint32_t>& bucket = ring_.current();
         return k < bucket.size() ? bucket[bucket.size() - 1 - k] : no_vertex;
     }
 
+    /// What was counted.
     [[nodiscard]] const Counters& counters() const noexcept { return *this; }
 
 private:

@@ -24,14 +24,17 @@ namespace sspql {
 /// \throws std::invalid_argument for a lambda that is negative or not finite.
 class RiskWeighted {
 public:
-    static constexpr const char* type_name = "risk weighted";
+    static constexpr const char* type_name = "risk weighted";  ///< in checkpoints
 
+    /// `lambda`: how much sureness is worth; 0 leaves the weight.
     explicit RiskWeighted(double lambda = 2.0) : lambda_(require_not_negative("lambda", lambda)) {}
 
+    /// weight e^(-lambda P), in (0, weight].
     [[nodiscard]] double operator()(double weight, double probability) const noexcept {
         return weight * std::exp(-lambda_ * probability);
     }
 
+    /// As given.
     [[nodiscard]] double lambda() const noexcept { return lambda_; }
 
 private:
@@ -48,8 +51,9 @@ private:
 
 /// EC = weight / P: the expected weight of trying until it works. P counts up to 1; use it with BestAction.
 struct ExpectedTries {
-    static constexpr const char* type_name = "expected tries";
+    static constexpr const char* type_name = "expected tries";  ///< in checkpoints
 
+    /// weight / min(P, 1), at least the weight.
     [[nodiscard]] double operator()(double weight, double probability) const noexcept {
         return weight / std::min(probability, 1.0);
     }
@@ -59,14 +63,17 @@ struct ExpectedTries {
 /// \throws std::invalid_argument for a lambda that is negative or not finite.
 class LogRisk {
 public:
-    static constexpr const char* type_name = "log risk";
+    static constexpr const char* type_name = "log risk";  ///< in checkpoints
 
+    /// `lambda`: what a factor e of the probability costs.
     explicit LogRisk(double lambda = 1.0) : lambda_(require_not_negative("lambda", lambda)) {}
 
+    /// weight - lambda ln min(P, 1), at least the weight.
     [[nodiscard]] double operator()(double weight, double probability) const noexcept {
         return weight - lambda_ * std::log(std::min(probability, 1.0));
     }
 
+    /// As given.
     [[nodiscard]] double lambda() const noexcept { return lambda_; }
 
 private:
@@ -83,8 +90,9 @@ private:
 
 /// EC = 1: the fewest transitions, likely or not.
 struct HopCount {
-    static constexpr const char* type_name = "hop count";
+    static constexpr const char* type_name = "hop count";  ///< in checkpoints
 
+    /// 1.
     [[nodiscard]] double operator()(double /*weight*/, double /*probability*/) const noexcept { return 1.0; }
 };
 

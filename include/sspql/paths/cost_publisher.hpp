@@ -82,9 +82,10 @@ class CostPublisher {
                   "Successor&) const`");
 
 public:
+    /// The largest tolerance.
     static constexpr double most_tolerance = 0.5;
 
-    /// \throws std::invalid_argument for a tolerance outside [0, 0.5].
+    /// Labels are those of these two policies. \throws std::invalid_argument for a tolerance outside [0, 0.5].
     explicit CostPublisher(Cost cost = Cost{}, Probability probability = Probability{}, double tolerance = 0.0)
         : cost_(std::move(cost)),
           probability_(std::move(probability)),
@@ -120,7 +121,9 @@ public:
         return edges;
     }
 
+    /// The policy of costs.
     [[nodiscard]] const Cost& cost() const noexcept { return cost_; }
+    /// As given, in [0, 0.5].
     [[nodiscard]] double tolerance() const noexcept { return tolerance_; }
 
 private:

@@ -19,6 +19,7 @@ class DaryHeap : private Counters {
     static_assert(D >= 2, "sspql: a heap needs an arity of at least 2");
 
 public:
+    /// Empty, with room for vertices 0 .. n-1; the bounds on costs do not matter.
     void prepare(std::size_t n, double /*least_cost*/ = 0.0, double /*greatest_cost*/ = 0.0) {
         if (place_.size() < n) place_.resize(n);
         items_.clear();
@@ -36,21 +37,26 @@ public:
         if (place_.size() < n) place_.resize(n);
     }
 
+    /// Whether nothing is queued.
     [[nodiscard]] bool empty() const noexcept { return items_.empty(); }
+    /// How many vertices are queued.
     [[nodiscard]] std::size_t size() const noexcept { return items_.size(); }
 
+    /// Queues a vertex that is not queued. O(log_D n).
     void push(std::uint32_t vertex, double key) {
         Counters::count_push();
         items_.push_back({key, vertex});
         rise(items_.size() - 1, {key, vertex});
     }
 
+    /// Lowers the key of a queued vertex. O(log_D n).
     void decrease(std::uint32_t vertex, double key) {
         SSPQL_ASSERT(key <= items_[place_[vertex]].key, "keys only decrease");
         Counters::count_decrease();
         rise(place_[vertex], {key, vertex});
     }
 
+    /// Takes out a vertex of least key. O(D log_D n). Precondition (asserted): not empty.
     std::uint32_t pop() {
         SSPQL_ASSERT(!empty(), "pop from an empty queue");
         Counters::count_pop();
@@ -67,6 +73,7 @@ public:
         for (const Item& item : items_) f(item.vertex, item.key);
     }
 
+    /// What was counted.
     [[nodiscard]] const Counters& counters() const noexcept { return *this; }
 
 private:

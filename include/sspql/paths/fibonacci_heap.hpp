@@ -20,6 +20,7 @@ namespace sspql {
 template <class Counters = NoCounters>
 class FibonacciHeap : private Counters {
 public:
+    /// Empty, with room for vertices 0 .. n-1; the bounds on costs do not matter.
     void prepare(std::size_t n, double /*least_cost*/ = 0.0, double /*greatest_cost*/ = 0.0) {
         if (slot_of_.size() < n) {
             slot_of_.resize(n);
@@ -33,9 +34,12 @@ public:
         least_ = none;
     }
 
+    /// Whether nothing is queued.
     [[nodiscard]] bool empty() const noexcept { return size_ == 0; }
+    /// How many vertices are queued.
     [[nodiscard]] std::size_t size() const noexcept { return size_; }
 
+    /// Queues a vertex that is not queued. O(1).
     void push(std::uint32_t vertex, double key) {
         Counters::count_push();
         const std::uint32_t slot = take_slot();
@@ -45,6 +49,7 @@ public:
         ++size_;
     }
 
+    /// Lowers the key of a queued vertex. O(1) amortised.
     void decrease(std::uint32_t vertex, double key) {
         Counters::count_decrease();
         const std::uint32_t slot = slot_of_[vertex];
@@ -61,6 +66,7 @@ public:
         cascade(parent);
     }
 
+    /// Takes out a vertex of least key. O(log n) amortised. Precondition (asserted): not empty.
     std::uint32_t pop() {
         SSPQL_ASSERT(!empty(), "pop from an empty queue");
         Counters::count_pop();
@@ -77,6 +83,7 @@ public:
     /// The largest degree a node of a heap of n can have: floor(log_phi n) + 1 fits for every n < 2^32.
     static constexpr std::size_t degree_bound = 48;
 
+    /// What was counted.
     [[nodiscard]] const Counters& counters() const noexcept { return *this; }
 
 private:

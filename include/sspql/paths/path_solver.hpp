@@ -61,7 +61,7 @@ class PathSolver {
     static_assert(detail::QueueRequirements<Queue>::met);
 
 public:
-    /// \throws std::invalid_argument for a tolerance outside [0, 0.5].
+    /// See CostPublisher for the three. \throws std::invalid_argument for a tolerance outside [0, 0.5].
     explicit PathSolver(Cost cost = Cost{}, Probability probability = Probability{}, double tolerance = 0.0)
         : publisher_(std::move(cost), std::move(probability), tolerance) {}
 
@@ -100,6 +100,7 @@ public:
     /// The labels were changed by somebody else, or the tree swapped: the next solve searches from scratch.
     void forget() noexcept { known_ = false; }
 
+    /// The tree of the last solve; empty before the first. Valid until the next.
     [[nodiscard]] const ShortestPathTree& tree() const noexcept { return tree_; }
 
     /// Exchanges the tree for another one of the same counts (see ResumableSearch). The next solve searches from
@@ -116,11 +117,13 @@ public:
     /// After `repaired`: the states whose distance or next state may have changed. Empty else.
     [[nodiscard]] const std::vector<StateId>& changed_states() const noexcept { return repair_.states(); }
 
+    /// What publishes the costs.
     [[nodiscard]] const CostPublisher<Cost, Probability>& publisher() const noexcept { return publisher_; }
 
     /// Looks at edges so far: refreshing, taking snapshots, marking and searching.
     [[nodiscard]] std::uint64_t edges_touched() const noexcept { return edges_; }
 
+    /// Room for that many states.
     void reserve(std::size_t states) {
         tree_.distance.reserve(states);
         tree_.next.reserve(states);

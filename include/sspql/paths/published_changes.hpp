@@ -14,12 +14,14 @@ namespace sspql {
 
 /// An edge label that a CostPublisher rewrote.
 struct CostChange {
-    StateId from{};
-    StateId to{};
+    StateId from{};         ///< the edge leads from here
+    StateId to{};           ///< to here
     double old_cost = 0.0;  ///< infinite for an edge that had none: seen for the first time, or erased and seen again
-    double new_cost = 0.0;
+    double new_cost = 0.0;  ///< finite, > 0
 
+    /// Whether the edge became dearer.
     [[nodiscard]] bool worsened() const noexcept { return new_cost > old_cost; }
+    /// Whether the edge became cheaper, or is new.
     [[nodiscard]] bool improved() const noexcept { return new_cost < old_cost; }
 };
 
@@ -28,6 +30,7 @@ struct CostChange {
 /// counts go on. Buffers are kept, so that a reused report allocates only when it grows.
 class PublishedChanges {
 public:
+    /// Keeps everything.
     static constexpr std::size_t no_limit = std::numeric_limits<std::size_t>::max();
 
     /// Empties the report. \param most entries of either list.
@@ -54,18 +57,21 @@ public:
     [[nodiscard]] std::size_t changed() const noexcept { return changed_; }  ///< edges whose label was rewritten
     [[nodiscard]] std::size_t added() const noexcept { return added_; }      ///< of those, edges that had no label
 
-    /// Bounds on the rewritten labels; infinity and 0 if there are none.
+    /// The least rewritten label; infinity if there is none.
     [[nodiscard]] double least() const noexcept { return least_; }
+    /// The greatest rewritten label; 0 if there is none.
     [[nodiscard]] double greatest() const noexcept { return greatest_; }
 
+    /// The edges of s were refreshed.
     void add_state(StateId s) {
         if (states_.size() >= most_) drop();
         if (complete_) states_.push_back(s);
     }
 
+    /// The costs of this many edges were computed.
     void add_touched(std::size_t edges) noexcept { touched_ += edges; }
 
-    /// `old_cost` is NaN where there was no label.
+    /// The label of an edge was rewritten. `old_cost` is NaN where there was no label.
     void add_edge(StateId from, StateId to, double old_cost, double new_cost) {
         ++changed_;
         least_ = std::min(least_, new_cost);

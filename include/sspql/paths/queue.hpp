@@ -82,23 +82,33 @@ inline constexpr std::uint32_t no_vertex = 0xFFFFFFFFu;
 
 /// Counters policy of the queues: counts nothing and costs nothing.
 struct NoCounters {
+    /// A vertex is pushed.
     void count_push() noexcept {}
+    /// A vertex is popped.
     void count_pop() noexcept {}
+    /// A key is decreased.
     void count_decrease() noexcept {}
+    /// Two keys are compared.
     void count_comparison() noexcept {}
+    /// Two trees are joined.
     void count_link() noexcept {}
+    /// A subtree is cut off.
     void count_cut() noexcept {}
+    /// An item is moved.
     void count_move() noexcept {}
+    /// A bucket is opened.
     void count_bucket() noexcept {}
+    /// A popped vertex is queued again, in place of a decrease of its key.
     void count_rescan() noexcept {}
+    /// A root with this many children is popped.
     void count_children(std::uint32_t /*degree*/) noexcept {}
 };
 
 /// Counters policy of the queues: exact operation counts since construction, for tests and benchmarks that must not
 /// depend on a clock.
 struct OperationCounters {
-    std::uint64_t pushes = 0;
-    std::uint64_t pops = 0;
+    std::uint64_t pushes = 0;         ///< vertices pushed
+    std::uint64_t pops = 0;           ///< vertices popped
     std::uint64_t decreases = 0;      ///< rescans included
     std::uint64_t comparisons = 0;    ///< of keys
     std::uint64_t links = 0;          ///< trees joined
@@ -109,6 +119,10 @@ struct OperationCounters {
     std::uint64_t children = 0;       ///< sum of the degrees of popped roots
     std::uint64_t most_children = 0;  ///< the greatest of them
 
+    /// \name What the queues call
+    /// \{
+
+    /// When: see NoCounters.
     void count_push() noexcept { ++pushes; }
     void count_pop() noexcept { ++pops; }
     void count_decrease() noexcept { ++decreases; }
@@ -122,6 +136,7 @@ struct OperationCounters {
         children += degree;
         if (degree > most_children) most_children = degree;
     }
+    /// \}
 
     /// The figure compared with m + n log2 n: everything but pops (each follows a push) and what others contain.
     [[nodiscard]] std::uint64_t work() const noexcept {

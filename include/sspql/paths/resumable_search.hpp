@@ -53,6 +53,7 @@ public:
         phase_ = Phase::snapshot;
     }
 
+    /// Whether a search is under way: started, and neither complete nor stopped.
     [[nodiscard]] bool running() const noexcept { return phase_ != Phase::idle; }
 
     /// Goes on until the budget is spent. \returns true when the tree is complete, from then on until the next start().
@@ -63,16 +64,18 @@ public:
         return phase_ == Phase::idle;
     }
 
+    /// Drops a search under way.
     void stop() noexcept { phase_ = Phase::idle; }
 
     /// The tree, once complete; to be swapped with the one in use.
     [[nodiscard]] ShortestPathTree& tree() noexcept { return tree_; }
+    /// The same for reading.
     [[nodiscard]] const ShortestPathTree& tree() const noexcept { return tree_; }
 
     /// Of the last search: states settled, edges copied and looked at.
     [[nodiscard]] const SearchWork& work() const noexcept { return work_; }
 
-    /// Room for a search over that many.
+    /// Room for a search over that many without allocating.
     void reserve(std::size_t states, std::size_t edges) {
         make_room(states, edges);
         queue_.prepare(states, 0.0, 0.0);

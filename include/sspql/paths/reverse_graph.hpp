@@ -14,19 +14,20 @@
 #include <sspql/model/prefetch.hpp>
 #include <sspql/model/transition_counts.hpp>
 
-namespace sspql {
-
+/// \file
 /// PredecessorGraph (concept), what searches towards a goal read:
 ///
 ///     std::size_t size() const                          number of states
 ///     void for_each_predecessor(StateId v, f) const     f(StateId u, double cost) for every edge u -> v
 ///     double least_cost() const, greatest_cost() const  bounds over all edges (0 and 0 without edges)
 
+namespace sspql {
+
 /// One edge of a graph of expected costs.
 struct CostEdge {
-    StateId from{};
-    StateId to{};
-    double cost = 0.0;
+    StateId from{};     ///< the edge leads from here
+    StateId to{};       ///< to here
+    double cost = 0.0;  ///< expected cost, finite and >= 0
 };
 
 /// A snapshot of the learnt graph with its edges reversed, in compressed rows: {offset, predecessor, cost}, row = the
@@ -37,8 +38,10 @@ struct CostEdge {
 /// Memory: 12 bytes an edge, 4 a state. Threads: const members may run together.
 class ReverseGraph {
 public:
+    /// Costs below this times the largest are raised to it.
     static constexpr double least_ratio = 1e-30;
 
+    /// No states.
     ReverseGraph() : offset_(1, 0) {}
 
     /// Takes over the labels of the counts, which must be published (no dirty states). O(n + m), about a tenth of a
@@ -91,9 +94,12 @@ public:
         return graph;
     }
 
+    /// The number of states, n.
     [[nodiscard]] std::size_t size() const noexcept { return offset_.size() - 1; }
+    /// The number of edges, m.
     [[nodiscard]] std::size_t edges() const noexcept { return predecessor_.size(); }
 
+    /// Calls f(StateId u, double cost) for every edge u -> v. O(in-degree).
     template <class F>
     void for_each_predecessor(StateId v, F&& f) const {
         // Local pointers: what f writes might be these members, for all that a compiler knows.
@@ -103,20 +109,26 @@ public:
         for (std::uint32_t i = offset_[index(v)]; i < end; ++i) f(predecessor[i], cost[i]);
     }
 
-    /// Asks for the memory where the edges into v begin, and, once that is there, for the edges: soon to be read.
+    /// Asks for the memory that says where the edges into v begin: soon to be read.
     void prefetch_offset(StateId v) const noexcept { detail::prefetch(&offset_[index(v)]); }
+    /// Asks for the edges into v, once what prefetch_offset asked for is there.
     void prefetch_edges(StateId v) const noexcept {
         detail::prefetch(predecessor_.data() + offset_[index(v)]);
         detail::prefetch(cost_.data() + offset_[index(v)]);
     }
 
+    /// The least cost of all edges; 0 without edges.
     [[nodiscard]] double least_cost() const noexcept { return least_; }
+    /// The greatest cost of all edges; 0 without edges.
     [[nodiscard]] double greatest_cost() const noexcept { return greatest_; }
 
-    /// The edges into v are those numbered begin(v) to end(v) - 1.
+    /// The edges into v are those numbered begin(v) to end(v) - 1, end(v) - begin(v) of them.
     [[nodiscard]] std::uint32_t begin(StateId v) const noexcept { return offset_[index(v)]; }
+    /// Past the last edge into v.
     [[nodiscard]] std::uint32_t end(StateId v) const noexcept { return offset_[index(v) + 1]; }
+    /// The state that an edge leads from.
     [[nodiscard]] StateId predecessor(std::uint32_t edge) const noexcept { return predecessor_[edge]; }
+    /// The expected cost of an edge.
     [[nodiscard]] double cost(std::uint32_t edge) const noexcept { return cost_[edge]; }
 
 private:

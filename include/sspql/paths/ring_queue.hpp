@@ -26,20 +26,24 @@ class RingQueue : public detail::QueuedVertices, private Counters {
     static_assert(is_queue_v<Inner>, "sspql: a RingQueue's Inner must be a Queue");
 
 public:
+    /// Takes no keys below the last popped one.
     static constexpr bool monotone_only = true;
 
+    /// Empty, with room for vertices 0 .. n-1 and buckets for costs within these bounds.
     void prepare(std::size_t n, double least_cost, double greatest_cost) {
         ring_.prepare(n, size_ != 0, ring_size, greatest_cost / static_cast<double>(ring_size - 2));
         inner_.prepare(n, least_cost, greatest_cost);
         size_ = 0;
     }
 
+    /// Queues a vertex that is not queued. O(1), but for the first bucket, where it is the inner queue's push.
     void push(std::uint32_t vertex, double key) {
         Counters::count_push();
         ++size_;
         put(vertex, key, ring_.place_for(key));
     }
 
+    /// Lowers the key of a queued vertex. O(1), but for the first bucket, where it is the inner queue's decrease.
     void decrease(std::uint32_t vertex, double key) {
         Counters::count_decrease();
         SSPQL_ASSERT(ring_.place_of(vertex) != Ring::nowhere, "a queued vertex");
@@ -50,6 +54,7 @@ public:
         }
     }
 
+    /// Takes out a vertex of least key. Amortised as the inner queue's. Precondition (asserted): not empty.
     std::uint32_t pop() {
         SSPQL_ASSERT(!empty(), "pop from an empty queue");
         Counters::count_pop();
@@ -60,7 +65,9 @@ public:
         return vertex;
     }
 
+    /// What was counted here.
     [[nodiscard]] const Counters& counters() const noexcept { return *this; }
+    /// The inner queue, for its counters.
     [[nodiscard]] const Inner& inner() const noexcept { return inner_; }
 
 private:

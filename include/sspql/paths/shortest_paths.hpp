@@ -21,8 +21,8 @@ namespace sspql {
 /// Where paths may end. `offset` (>= 0) is the cost still to pay there: of two goals the one with the smaller offset is
 /// worth going further for.
 struct Goal {
-    StateId state{};
-    double offset = 0.0;
+    StateId state{};      ///< where paths may end
+    double offset = 0.0;  ///< cost still to pay there, in the unit of edge costs; finite and >= 0
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -37,8 +37,10 @@ struct ShortestPathTree {
     /// By state: the next state on the path; no_state at a goal where paths end, and where no path is known.
     std::vector<StateId> next;
 
+    /// The number of states.
     [[nodiscard]] std::size_t size() const noexcept { return distance.size(); }
 
+    /// Whether a path from s is known; false for states outside.
     [[nodiscard]] bool reaches_goal(StateId s) const noexcept {
         return index(s) < size() && distance[index(s)] < std::numeric_limits<double>::infinity();
     }

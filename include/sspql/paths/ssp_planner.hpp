@@ -36,7 +36,7 @@ namespace sspql {
 template <class Cost, class Probability, class Queue>
 class SspPlanner {
 public:
-    /// \throws std::invalid_argument for a tolerance outside [0, 0.5].
+    /// See CostPublisher for the three. \throws std::invalid_argument for a tolerance outside [0, 0.5].
     explicit SspPlanner(Cost cost = Cost{}, Probability probability = Probability{}, double tolerance = 0.0)
         : solver_(std::move(cost), std::move(probability), tolerance) {}
 
@@ -90,6 +90,7 @@ public:
         phase_ = Phase::refresh;
     }
 
+    /// Whether a solve in instalments is under way.
     [[nodiscard]] bool running() const noexcept { return phase_ != Phase::idle; }
 
     /// Goes on with the solve under way until the budget is spent, exceeding it by one state's edges at most.
@@ -107,8 +108,11 @@ public:
         return phase_ == Phase::values && compute_values(counts, legal, budget);
     }
 
+    /// The last finished tree; empty before the first solve.
     [[nodiscard]] const ShortestPathTree& tree() const noexcept { return solver_.tree(); }
+    /// The last finished values, those of tree().
     [[nodiscard]] const SspValues& values() const noexcept { return values_; }
+    /// What solves all at once.
     [[nodiscard]] const PathSolver<Cost, Probability, Queue>& solver() const noexcept { return solver_; }
 
     /// Looks at edges so far: refreshing, taking snapshots, marking and searching.

@@ -45,8 +45,10 @@ public:
         value_.resize(states, 0.0);
     }
 
+    /// The number of states that have a place, with a value or without.
     [[nodiscard]] std::size_t size() const noexcept { return action_.size(); }
 
+    /// Exchanges all values. O(1).
     void swap(SspValues& other) noexcept {
         action_.swap(other.action_);
         value_.swap(other.value_);
@@ -62,11 +64,13 @@ public:
         return index(s) < action_.size() ? action_[index(s)] : no_action;
     }
 
+    /// No states.
     void clear() noexcept {
         action_.clear();
         value_.clear();
     }
 
+    /// Room for that many states.
     void reserve(std::size_t states) {
         action_.reserve(states);
         value_.reserve(states);

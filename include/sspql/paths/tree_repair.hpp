@@ -72,6 +72,7 @@ public:
         states_.clear();
     }
 
+    /// Room for that many states.
     void reserve(std::size_t states) {
         flag_.reserve(states);
         states_.reserve(states);
