@@ -105,10 +105,12 @@ inline constexpr bool has_expectation_v = detail::is_detected_convertible_v<doub
 /// ever.
 class ActionSelector {
 public:
-    static constexpr const char* type_name = "uniform noise";
+    static constexpr const char* type_name = "uniform noise";  ///< in checkpoints
 
+    /// Noise in [0, noise), in the unit of the scores.
     explicit ActionSelector(double noise = 0.01) : noise_(require_positive("noise", noise)) {}
 
+    /// Chooses by eq. 8; no_action if nothing is allowed. Precondition: scores are finite.
     template <class Allowed, class Score>
     [[nodiscard]] ActionId operator()(std::size_t actions, const Allowed& allowed, const Score& score,
                                       Random& random) const {
@@ -121,6 +123,7 @@ public:
         return chosen;
     }
 
+    /// The mean of value(a) over the actions that it would choose.
     /// The chance that a wins is the integral over its own noise of the product, over the others, of the chance that
     /// theirs stays below: a polynomial between the places where one of them sets in or ends. Exact for up to 10 actions
     /// within `noise` of the best, very close beyond. O(|A|^3) at worst, O(|A|) where one action is clearly best.
@@ -142,6 +145,7 @@ public:
         return sum / total;
     }
 
+    /// As given.
     [[nodiscard]] double noise() const noexcept { return noise_; }
 
 private:
@@ -191,10 +195,12 @@ private:
 /// \throws std::invalid_argument for an epsilon outside [0, 1].
 class EpsilonGreedy {
 public:
-    static constexpr const char* type_name = "epsilon greedy";
+    static constexpr const char* type_name = "epsilon greedy";  ///< in checkpoints
 
+    /// `epsilon`: how often the choice is random, in [0, 1].
     explicit EpsilonGreedy(double epsilon = 0.1) : epsilon_(require_in("epsilon", epsilon, 0.0, 1.0)) {}
 
+    /// Chooses; no_action if nothing is allowed. One draw for chance, one for each tie.
     template <class Allowed, class Score>
     [[nodiscard]] ActionId operator()(std::size_t actions, const Allowed& allowed, const Score& score,
                                       Random& random) const {
@@ -203,6 +209,7 @@ public:
             actions, allowed, [&](ActionId a) { return explore ? 0.0 : score(a); }, random, 0.0);
     }
 
+    /// The mean of value(a) over the actions that it would choose. O(|A|).
     template <class Allowed, class Score, class Value>
     [[nodiscard]] double expectation(std::size_t actions, const Allowed& allowed, const Score& score,
                                      const Value& value) const {
@@ -223,6 +230,7 @@ public:
         return epsilon_ * all / static_cast<double>(choices) + (1.0 - epsilon_) * best / static_cast<double>(equals);
     }
 
+    /// As given.
     [[nodiscard]] double epsilon() const noexcept { return epsilon_; }
 
 private:
@@ -242,10 +250,12 @@ private:
 /// \throws std::invalid_argument for a temperature that is not > 0 and finite.
 class Boltzmann {
 public:
-    static constexpr const char* type_name = "boltzmann";
+    static constexpr const char* type_name = "boltzmann";  ///< in checkpoints
 
+    /// `temperature`: differences of score much smaller than it do not matter, much larger ones decide.
     explicit Boltzmann(double temperature = 0.1) : temperature_(require_positive("temperature", temperature)) {}
 
+    /// Chooses; no_action if nothing is allowed. One draw.
     template <class Allowed, class Score>
     [[nodiscard]] ActionId operator()(std::size_t actions, const Allowed& allowed, const Score& score,
                                       Random& random) const {
@@ -268,6 +278,7 @@ public:
         return chosen;
     }
 
+    /// The mean of value(a) over the actions that it would choose. O(|A|).
     template <class Allowed, class Score, class Value>
     [[nodiscard]] double expectation(std::size_t actions, const Allowed& allowed, const Score& score,
                                      const Value& value) const {
@@ -284,6 +295,7 @@ public:
         return sum / total;
     }
 
+    /// As given.
     [[nodiscard]] double temperature() const noexcept { return temperature_; }
 
 private:

@@ -16,8 +16,8 @@ namespace sspql {
 
 /// The types an AdaptiveSspql is made of; derive and rename one to replace it.
 struct AdaptivePolicies {
-    using Selector = Greedy;
-    using LegalActions = LegalActionTable;
+    using Selector = Greedy;                ///< of the actions' values and bonuses: no noise, ties by chance
+    using LegalActions = LegalActionTable;  ///< which actions a state has
 };
 
 template <class Policies>
@@ -26,6 +26,7 @@ class AdaptiveSspql;
 /// Parameters of AdaptiveSspql, by name. The defaults are one set for all tasks; docs/adaptive.md says when to touch which.
 template <class Policies = AdaptivePolicies>
 struct AdaptiveParams {
+    /// The learner these are for, which Agent deduces.
     using Learner = AdaptiveSspql<Policies>;
 
     double gamma = 0.99;             ///< discount, in (0, 1)
@@ -42,7 +43,9 @@ struct AdaptiveParams {
     double retrace = 0.1;            ///< before a goal is known: how much less the way back attracts than the unknown
 
     Schedule hint_fading = VisitDecay{};  ///< of a trainer's hints, by visits of (s,a) since the hint
+    /// How actions are chosen by their scores.
     typename Policies::Selector selector{};
+    /// Which actions a state has.
     typename Policies::LegalActions legal_actions{};
 
     template <class Archive>
@@ -53,7 +56,7 @@ struct AdaptiveParams {
         archive.policy("legal actions", legal_actions);
     }
 
-    /// \throws std::invalid_argument naming the first number out of range.
+    /// Checks every number. \throws std::invalid_argument naming the first number out of range.
     void validate() const {
         require_in("gamma", gamma, 0.01, 0.999999);
         require_in("threshold", threshold, 1e-12, 1e6);

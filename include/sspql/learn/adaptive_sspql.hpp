@@ -25,16 +25,16 @@ namespace sspql {
 
 /// What an AdaptiveSspql has come to believe, for reports.
 struct AdaptiveStatus {
-    std::uint64_t steps = 0;
+    std::uint64_t steps = 0;         ///< learnt from so far
     std::size_t states_known = 0;    ///< seen at least once
     std::size_t pairs_tried = 0;     ///< (s,a) tried at least once
     std::uint64_t edge_touches = 0;  ///< of all work so far
     std::uint64_t alarms = 0;        ///< changes of the world noticed
-    bool goal_known = false;
-    double typical_cost = 0.0;  ///< median cost of the last episodes that reached a goal, in steps
-    double optimism = 0.0;      ///< c: how far off the goal is believed to be behind what was not tried, in steps
-    double noise = 0.0;         ///< how often an outcome is not what the counts lead to expect
-    double kappa = 0.0;         ///< the optimistic pseudo-count of every (s,a)
+    bool goal_known = false;         ///< whether it is known what there is to be had, see OptimismScale
+    double typical_cost = 0.0;       ///< median cost of the last episodes that reached a goal, in steps
+    double optimism = 0.0;           ///< c: how far off the goal is believed to be behind what was not tried, in steps
+    double noise = 0.0;              ///< how often an outcome is not what the counts lead to expect
+    double kappa = 0.0;              ///< the optimistic pseudo-count of every (s,a)
 };
 
 /// The adaptive planner, the recommended learner: one set of parameters for every task.
@@ -63,9 +63,11 @@ class AdaptiveSspql : public PlanRenewal<AdaptiveSspql<Policies>, Policies, Adap
     friend SerializationAccess;
 
 public:
+    /// What it is given.
     using Params = AdaptiveParams<Policies>;
     static constexpr const char* type_name = "adaptive SSPQL";  ///< in checkpoints
 
+    /// Knows nothing yet. Ties are broken by `seed`.
     /// \throws std::invalid_argument for no states or actions, more than 65535 actions, or parameters out of range.
     AdaptiveSspql(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
         : Base(states, actions, checked(std::move(params), actions), seed), retrace_(states.initial(), actions) {}
@@ -86,6 +88,7 @@ public:
                 Base::hint_term(s, a), n};
     }
 
+    /// What it believes now, in numbers. O(1).
     [[nodiscard]] AdaptiveStatus status() const noexcept {
         return {this->model_.steps(), order_.size(), this->model_.pairs_tried(), this->operations_,
                 this->model_.detector().alarms(), scale_.goal_known(), scale_.typical_cost(), scale_.optimism(),

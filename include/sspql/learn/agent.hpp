@@ -52,9 +52,12 @@ class Agent {
                   "sspql: this ActionPolicy lacks `Command decode(sspql::ActionId) const`");
 
 public:
+    /// What the learner is given.
     using Params = typename Learner::Params;
+    /// What the robot is told to do: what the ActionPolicy decodes to.
     using Command = CommandOf<ActionPolicy>;
 
+    /// Knows nothing yet. `seed` is the learner's: where the same things happen, the same seed acts alike.
     /// \throws std::invalid_argument for policies without states or actions, or parameters out of range.
     Agent(StatePolicy states, ActionPolicy actions, Params params = {}, std::uint64_t seed = 0)
         : states_(std::move(states)),
@@ -66,6 +69,7 @@ public:
     [[nodiscard]] Command begin(const Observation& observation) {
         return decode(learner_.begin(encode(observation)));
     }
+    /// The same where only `legal` may be chosen in this state, from now on.
     template <class Observation>
     [[nodiscard]] Command begin(const Observation& observation, const ActionSet& legal) {
         const StateId s = encode(observation);
@@ -79,6 +83,7 @@ public:
     [[nodiscard]] Command step(double reward, const Observation& observation, double weight = 1.0) {
         return decode(learner_.step(reward, encode(observation), weight));
     }
+    /// The same where only `legal` may be chosen in the state of `observation`, from now on.
     template <class Observation>
     [[nodiscard]] Command step(double reward, const Observation& observation, const ActionSet& legal,
                                double weight = 1.0) {
@@ -140,9 +145,13 @@ public:
         return encode(observation);
     }
 
+    /// The learner, for all that an Agent does not do itself.
     [[nodiscard]] Learner& learner() noexcept { return learner_; }
+    /// The same for reading.
     [[nodiscard]] const Learner& learner() const noexcept { return learner_; }
+    /// The StatePolicy.
     [[nodiscard]] const StatePolicy& states() const noexcept { return states_; }
+    /// The ActionPolicy.
     [[nodiscard]] const ActionPolicy& actions() const noexcept { return actions_; }
 
 private:

@@ -16,13 +16,16 @@ namespace sspql {
 /// priority it was given. O(log n); memory 12 bytes an (s,a).
 class BackupQueue {
 public:
+    /// A (s,a).
     struct Pair {
-        StateId state{};
-        ActionId action{};
+        StateId state{};    ///< s
+        ActionId action{};  ///< a
     };
 
+    /// Nothing queued.
     BackupQueue(std::size_t states, std::size_t actions) : actions_(actions) { grow(states); }
 
+    /// Room for the (s,a) of that many states; what is queued stays.
     void grow(std::size_t states) {
         heap_.grow(states * actions_);
         if (priority_.size() < states * actions_) priority_.resize(states * actions_, 0.0);
@@ -47,7 +50,9 @@ public:
         }
     }
 
+    /// Whether nothing is queued.
     [[nodiscard]] bool empty() const noexcept { return heap_.empty(); }
+    /// How many (s,a) are queued.
     [[nodiscard]] std::size_t size() const noexcept { return heap_.size(); }
 
     /// The pair of the largest priority. Not empty.
@@ -63,7 +68,7 @@ public:
         heap_.for_each([&](std::uint32_t at, double) { f(state_id(at / actions_), action_id(at % actions_)); });
     }
 
-    /// O(number of (s,a)), at memory speed.
+    /// Empties it. O(number of (s,a)), at memory speed.
     void clear() {
         std::fill(priority_.begin(), priority_.end(), 0.0);
         heap_.prepare(0);

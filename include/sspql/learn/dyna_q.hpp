@@ -28,10 +28,11 @@ enum class Replay : std::uint8_t {
 /// Parameters of DynaQ.
 template <class Policies = ModelPolicies>
 struct DynaQParams : ModelParams<Policies> {
+    /// The learner these are for, which Agent deduces.
     using Learner = DynaQ<Policies>;
 
-    std::size_t planning_steps = 10;  ///< k
-    Replay replay = Replay::from_counts;
+    std::size_t planning_steps = 10;      ///< k
+    Replay replay = Replay::from_counts;  ///< what a planning step replays
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -56,13 +57,16 @@ class DynaQ : public ModelLearner<DynaQ<Policies>, Policies, DynaQParams<Policie
     friend SerializationAccess;
 
 public:
+    /// What it is given.
     using Params = DynaQParams<Policies>;
     static constexpr const char* type_name = "Dyna-Q";  ///< in checkpoints
 
+    /// Knows nothing yet. `seed` decides exploration and what is replayed.
     /// \throws std::invalid_argument for no states or actions, or parameters out of range.
     DynaQ(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
         : Base(states, actions, std::move(params), seed), last_(actions) {}
 
+    /// Room for `states` states and `pairs` distinct (s,s') in all (0: four a state).
     void reserve(std::size_t states, std::size_t pairs = 0) {
         Base::reserve(states, pairs);
         last_.reserve(states);

@@ -22,6 +22,7 @@ class DynaQPlus;
 /// Parameters of DynaQPlus.
 template <class Policies = ValuePolicies>
 struct DynaQPlusParams : ValueParams<Policies> {
+    /// The learner these are for, which Agent deduces.
     using Learner = DynaQPlus<Policies>;
 
     std::size_t planning_steps = 10;  ///< k
@@ -48,9 +49,11 @@ class DynaQPlus : public ValueLearner<DynaQPlus<Policies>, Policies, DynaQPlusPa
     friend SerializationAccess;
 
 public:
+    /// What it is given.
     using Params = DynaQPlusParams<Policies>;
     static constexpr const char* type_name = "Dyna-Q+";  ///< in checkpoints
 
+    /// Knows nothing yet. `seed` decides exploration and what is replayed.
     /// \throws std::invalid_argument for no states or actions, or parameters out of range.
     DynaQPlus(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
         : Base(states, actions, std::move(params), seed),
@@ -60,6 +63,7 @@ public:
         require_not_negative("time_bonus", this->params_.time_bonus);
     }
 
+    /// Room for that many states in all, without allocation on the way there.
     void reserve(std::size_t states) {
         Base::reserve_values(states);
         outcomes_.reserve(states);

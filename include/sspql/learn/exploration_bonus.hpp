@@ -15,13 +15,16 @@ namespace sspql {
 /// \throws std::invalid_argument for an eta that is negative or not finite.
 class ExplorationBonus {
 public:
+    /// `eta`: how fast the bonus falls, >= 0.
     ExplorationBonus(double eta = 1.5)  // NOLINT(google-explicit-constructor): a bonus is its exponent
         : eta_(require_not_negative("eta", eta)), table_([this](std::uint64_t n) { return compute(n); }) {}
 
+    /// The bonus after n visits, in (0, 1].
     [[nodiscard]] double operator()(std::uint64_t n) const noexcept {
         return detail::Tabulated::covers(n) ? table_[n] : compute(n);
     }
 
+    /// As given.
     [[nodiscard]] double eta() const noexcept { return eta_; }
 
 private:

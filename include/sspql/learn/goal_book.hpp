@@ -20,14 +20,18 @@ namespace sspql {
 /// state.
 class GoalBook {
 public:
+    /// No goals among this many states.
     explicit GoalBook(std::size_t states = 0) : kind_(states, Kind::plain) {}
 
+    /// More states, none a goal.
     void grow(std::size_t states) {
         if (states > kind_.size()) kind_.resize(states, Kind::plain);
     }
 
+    /// Room for that many states.
     void reserve(std::size_t states) { kind_.reserve(states); }
 
+    /// Takes in a step: its next state may be a goal, or none any longer.
     void observe(const Transition& t) {
         if (!t.terminated && t.reward != 0.0) costs_seen_ = true;
         Kind& kind = kind_[index(t.next)];

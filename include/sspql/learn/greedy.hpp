@@ -13,9 +13,11 @@ namespace sspql {
 /// draw for each equal beyond the first.
 class Greedy {
 public:
-    static constexpr const char* type_name = "greedy";
+    static constexpr const char* type_name = "greedy";  ///< in checkpoints
+    /// Scores that differ by no more than this share of the largest count as equal.
     static constexpr double tolerance = 1e-12;
 
+    /// Chooses; no_action if nothing is allowed.
     template <class Allowed, class Score>
     [[nodiscard]] ActionId operator()(std::size_t actions, const Allowed& allowed, const Score& score,
                                       Random& random) const {

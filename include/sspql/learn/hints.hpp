@@ -17,8 +17,10 @@ namespace sspql {
 /// a few times goes by what came of it. No memory until the first hint; then 16 bytes an (s,a). O(1).
 class Hints {
 public:
+    /// No hints, for this many actions.
     explicit Hints(std::size_t actions) : actions_(actions) {}
 
+    /// Whether no hint was given.
     [[nodiscard]] bool empty() const noexcept { return hints_.empty(); }
 
     /// Replaces the hint for (s,a), visited `visits` times so far. `states` is the number of states there are.
@@ -34,6 +36,7 @@ public:
         return hints_[at].strength * fading(visits >= hints_[at].visits ? visits - hints_[at].visits : visits);
     }
 
+    /// Takes all hints back.
     void clear() noexcept { hints_.clear(); }
 
 private:

@@ -16,13 +16,16 @@ namespace sspql {
 /// observe is O(1) amortised; memory 4 bytes an (s,a) and 48 a tried one.
 class LastOutcomes {
 public:
+    /// Nothing tried.
     explicit LastOutcomes(std::size_t actions) : actions_(actions) {}
 
+    /// Room for all (s,a) of that many states.
     void reserve(std::size_t states) {
         place_.reserve(states * actions_);
         tried_.reserve(states * actions_);
     }
 
+    /// Takes in a step: the last outcome of its (s,a) from now on.
     void observe(const Transition& t) {
         const std::size_t at = index(t.state) * actions_ + index(t.action);
         if (place_.size() <= at) place_.resize((index(t.state) + 1) * actions_, none);
@@ -40,6 +43,7 @@ public:
     /// The i-th of them with its last outcome.
     [[nodiscard]] const Transition& tried(std::size_t i) const noexcept { return tried_[i]; }
 
+    /// For somebody who soon looks at tried(i): has it fetched into the cache.
     void prefetch(std::size_t i) const noexcept { detail::prefetch(&tried_[i]); }
 
     /// The last outcome of (s,a), or nullptr.

@@ -115,10 +115,9 @@ public:
         return detail::argmax(actions_, legal_.allowed(s), [&](ActionId a) { return derived().value(s, a); });
     }
 
-    /// Other goals from now on, reached before or not; they replace those discovered by rewards. What was
-    /// learnt about the world stays and is used at once; values learnt from rewards for the old goals, and a trainer's hints,
-    /// are reset.
-    /// An empty list goes back to goals discovered by rewards.
+    /// Other goals from now on, reached before or not; they replace those discovered by rewards, and an empty list goes
+    /// back to discovering. What was learnt about the world stays and is used at once; values learnt from rewards for
+    /// the old goals, and a trainer's hints, are reset.
     /// \throws std::invalid_argument for a state outside or an offset that is not finite and >= 0.
     void set_goals(const std::vector<Goal>& goals) {
         std::size_t states = states_;
@@ -155,8 +154,11 @@ public:
         grow_to(states);
     }
 
+    /// The number of states; of those known so far, if it grows.
     [[nodiscard]] std::size_t states() const noexcept { return states_; }
+    /// The number of actions.
     [[nodiscard]] std::size_t actions() const noexcept { return actions_; }
+    /// Whether it takes new states.
     [[nodiscard]] bool grows() const noexcept { return grows_; }
 
     /// Whether an episode is under way.
@@ -164,8 +166,10 @@ public:
 
     /// The state in which the running episode's last action was chosen, and that action; no_action between episodes.
     [[nodiscard]] StateId state() const noexcept { return state_; }
+    /// That action.
     [[nodiscard]] ActionId action() const noexcept { return action_; }
 
+    /// Which actions the states have.
     [[nodiscard]] const LegalActions& legal_actions() const noexcept { return legal_; }
 
 protected:

@@ -22,6 +22,7 @@ class ModelLearner : public ValueLearner<Derived, Policies, ParamsType> {
     using Base = ValueLearner<Derived, Policies, ParamsType>;
 
 public:
+    /// What it plans with.
     using Model = RewardModel<typename Policies::Cell>;
 
     /// Room for `states` states and `pairs` distinct (s,s') in all (0: four a state).
@@ -30,6 +31,7 @@ public:
         model_.reserve(states, pairs == 0 ? 4 * states : pairs);
     }
 
+    /// What was observed.
     [[nodiscard]] const typename Model::Counts& counts() const noexcept { return model_.counts(); }
 
     /// Records and edges of the model touched so far.

@@ -20,6 +20,7 @@ class PrioritizedSweeping;
 /// Parameters of PrioritizedSweeping. alpha is not used: backups are full.
 template <class Policies = ModelPolicies>
 struct PrioritizedSweepingParams : ModelParams<Policies> {
+    /// The learner these are for, which Agent deduces.
     using Learner = PrioritizedSweeping<Policies>;
 
     std::size_t planning_steps = 10;  ///< backups after each real step, at most
@@ -58,9 +59,11 @@ class PrioritizedSweeping
     friend SerializationAccess;
 
 public:
+    /// What it is given.
     using Params = PrioritizedSweepingParams<Policies>;
     static constexpr const char* type_name = "prioritized sweeping";  ///< in checkpoints
 
+    /// Knows nothing yet. `seed` decides exploration.
     /// \throws std::invalid_argument for no states or actions, or parameters out of range.
     PrioritizedSweeping(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
         : Base(states, actions, std::move(params), seed) {

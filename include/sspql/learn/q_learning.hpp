@@ -19,6 +19,7 @@ class QLearning;
 /// Parameters of QLearning.
 template <class Policies = ValuePolicies>
 struct QLearningParams : ValueParams<Policies> {
+    /// The learner these are for, which Agent deduces.
     using Learner = QLearning<Policies>;
 };
 
@@ -35,9 +36,11 @@ class QLearning : public ValueLearner<QLearning<Policies>, Policies, QLearningPa
     friend SerializationAccess;
 
 public:
+    /// What it is given.
     using Params = QLearningParams<Policies>;
     static constexpr const char* type_name = "Q-learning";  ///< in checkpoints
 
+    /// Knows nothing yet. `seed` decides exploration.
     /// \throws std::invalid_argument for no states or actions (StateCount::growing() starts with none), gamma outside
     /// [0, 1], alpha outside [0, 1], or parameters that are not finite.
     QLearning(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)

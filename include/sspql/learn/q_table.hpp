@@ -23,21 +23,28 @@ namespace sspql {
 /// \throws std::invalid_argument for no actions, or an initial value that is not finite.
 class QTable {
 public:
+    /// |S| x |A|, row = state.
     using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
+    /// `states` x `actions` values, all `initial`.
     QTable(std::size_t states, std::size_t actions, double initial = 0.0)
         : actions_(detail::require_id_count("number of actions", actions)),
           initial_(require_finite("initial Q", initial)),
           values_(states * actions, initial) {}
 
+    /// The number of states.
     [[nodiscard]] std::size_t states() const noexcept { return values_.size() / actions_; }
+    /// The number of actions.
     [[nodiscard]] std::size_t actions() const noexcept { return actions_; }
+    /// What values start at.
     [[nodiscard]] double initial() const noexcept { return initial_; }
 
+    /// Q(s,a), to be changed.
     [[nodiscard]] double& operator()(StateId s, ActionId a) noexcept {
         SSPQL_ASSERT(index(s) < states() && index(a) < actions_, "ids within range");
         return values_[index(s) * actions_ + index(a)];
     }
+    /// Q(s,a).
     [[nodiscard]] double operator()(StateId s, ActionId a) const noexcept {
         SSPQL_ASSERT(index(s) < states() && index(a) < actions_, "ids within range");
         return values_[index(s) * actions_ + index(a)];
@@ -74,6 +81,7 @@ public:
         return max(s, legal.allowed(s));
     }
 
+    /// For somebody who soon reads the row of s: has it fetched into the cache.
     void prefetch(StateId s) const noexcept { detail::prefetch(values_.data() + index(s) * actions_); }
 
     /// More states; new ones start at the initial value.
@@ -81,14 +89,17 @@ public:
         if (states * actions_ > values_.size()) values_.resize(states * actions_, initial_);
     }
 
+    /// Room for that many states.
     void reserve(std::size_t states) { values_.reserve(states * actions_); }
 
     /// Every value back to the initial one.
     void reset() { std::fill(values_.begin(), values_.end(), initial_); }
 
+    /// The values as a matrix, |S| x |A|, valid until grow().
     [[nodiscard]] Eigen::Map<const Matrix> matrix() const {
         return {values_.data(), static_cast<Eigen::Index>(states()), static_cast<Eigen::Index>(actions_)};
     }
+    /// The same, to be changed.
     [[nodiscard]] Eigen::Map<Matrix> matrix() {
         return {values_.data(), static_cast<Eigen::Index>(states()), static_cast<Eigen::Index>(actions_)};
     }

@@ -21,6 +21,7 @@ class RMax;
 /// in the source), is 1: right for tasks that pay 1 once, at the goal.
 template <class Policies = ModelPolicies>
 struct RMaxParams : ModelParams<Policies> {
+    /// The learner these are for, which Agent deduces.
     using Learner = RMax<Policies>;
 
     std::size_t known_after = 3;  ///< m: an (s,a) is unknown, and worth initial_q, until tried so often
@@ -53,9 +54,11 @@ class RMax : public SweepingLearner<RMax<Policies>, Policies, RMaxParams<Policie
     friend SerializationAccess;
 
 public:
+    /// What it is given.
     using Params = RMaxParams<Policies>;
     static constexpr const char* type_name = "R-Max";  ///< in checkpoints
 
+    /// Knows nothing yet. `seed` decides exploration.
     /// \throws std::invalid_argument for no states or actions, or parameters out of range.
     RMax(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
         : Base(states, actions, std::move(params), seed) {

@@ -18,7 +18,7 @@ namespace sspql {
 
 /// The types a model-based learner is made of; derive and rename one to replace it. Cell must keep rewards.
 struct ModelPolicies : ValuePolicies {
-    using Cell = FadingCell;
+    using Cell = FadingCell;  ///< what is kept of an (s,a,s')
 };
 
 /// Parameters of a model-based learner: those of a Q table, and how far the model trusts the past.
@@ -30,7 +30,7 @@ struct ModelParams : ValueParams<Policies> {
     double least_count = 0.02;  ///< an outcome whose faded count falls below is forgotten
     /// An optimistic pseudo-count: every (s,a) counts as if it had led this often to `unknown_value`.
     double kappa = 0.0;
-    double unknown_value = 1.0;
+    double unknown_value = 1.0;  ///< of an optimistic outcome
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -38,6 +38,7 @@ struct ModelParams : ValueParams<Policies> {
         archive(cap, least_count, kappa, unknown_value);
     }
 
+    /// Checks every number of the model. \throws std::invalid_argument naming the first number out of range.
     void validate() const {
         if (cap != 0.0) require_in("cap", cap, 1.0, 1e9);
         require_in("least_count", least_count, 0.0, 0.5);
@@ -53,19 +54,24 @@ class RewardModel {
     static_assert(Cell::keeps_rewards, "sspql: a model-based learner needs a Cell that keeps rewards (FadingCell)");
 
 public:
+    /// The counts.
     using Counts = TransitionCounts<Cell>;
 
     /// An outcome: its cell (valid until the next observation) and the state it led to.
     struct Drawn {
-        const Cell* cell = nullptr;
-        StateId next = no_state;
+        const Cell* cell = nullptr;  ///< what is known of the outcome
+        StateId next = no_state;     ///< where it led
     };
 
+    /// Nothing observed.
     RewardModel(std::size_t states, std::size_t actions) : counts_(states, actions) {}
 
+    /// More states, never seen.
     void grow(std::size_t states) { counts_.grow(states); }
+    /// Room for that many states and distinct (s,s').
     void reserve(std::size_t states, std::size_t pairs) { counts_.reserve(states, pairs); }
 
+    /// What was observed.
     [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
 
     /// Records the step; where that would make more than `cap` observations of (s,a), its past fades first, so that the
@@ -133,6 +139,7 @@ public:
 
     /// Edges and records touched so far.
     [[nodiscard]] std::uint64_t operations() const noexcept { return operations_; }
+    /// Somebody else touched an edge or a record.
     void count_operation() noexcept { ++operations_; }
 
 private:

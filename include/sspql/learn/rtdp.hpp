@@ -17,6 +17,7 @@ class Rtdp;
 /// Parameters of Rtdp. alpha is not used: backups are full.
 template <class Policies = ModelPolicies>
 struct RtdpParams : ModelParams<Policies> {
+    /// The learner these are for, which Agent deduces.
     using Learner = Rtdp<Policies>;
 };
 
@@ -33,9 +34,11 @@ class Rtdp : public ModelLearner<Rtdp<Policies>, Policies, RtdpParams<Policies>>
     friend SerializationAccess;
 
 public:
+    /// What it is given.
     using Params = RtdpParams<Policies>;
     static constexpr const char* type_name = "RTDP";  ///< in checkpoints
 
+    /// Knows nothing yet. `seed` decides exploration.
     /// \throws std::invalid_argument for no states or actions, or parameters out of range.
     Rtdp(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
         : Base(states, actions, std::move(params), seed) {}

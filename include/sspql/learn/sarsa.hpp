@@ -18,6 +18,7 @@ class Sarsa;
 /// Parameters of Sarsa.
 template <class Policies = ValuePolicies>
 struct SarsaParams : ValueParams<Policies> {
+    /// The learner these are for, which Agent deduces.
     using Learner = Sarsa<Policies>;
 
     bool expected = false;  ///< expected Sarsa: the mean over a' instead of the one a' chosen
@@ -43,9 +44,11 @@ class Sarsa : public ValueLearner<Sarsa<Policies>, Policies, SarsaParams<Policie
     friend SerializationAccess;
 
 public:
+    /// What it is given.
     using Params = SarsaParams<Policies>;
     static constexpr const char* type_name = "Sarsa";  ///< in checkpoints
 
+    /// Knows nothing yet. `seed` decides exploration.
     /// \throws std::invalid_argument for no states or actions, parameters out of range, or expected Sarsa with a Selector
     /// that has no expectation.
     Sarsa(StateCount states, std::size_t actions, Params params = {}, std::uint64_t seed = 0)
@@ -55,6 +58,7 @@ public:
         }
     }
 
+    /// Room for that many states in all, without allocation on the way there.
     void reserve(std::size_t states) { Base::reserve_values(states); }
 
     /// Records and edges of a model touched so far: none.

@@ -13,7 +13,7 @@ namespace sspql {
 
 /// Always the same value, in [0, inf).
 struct Constant {
-    double value = 1.0;
+    double value = 1.0;  ///< the factor
 };
 
 /// min(1, N^-p), and 1 for N <= 1: the paper's [N(s,a)]^-t (eq. 9) with t a fixed exponent p >= 0.
@@ -21,14 +21,14 @@ struct Constant {
 /// Deviation: the print calls t time. Read like that the term dies at the second visit; the constant reading (p = 0)
 /// keeps repeating an action that stopped working for ever.
 struct VisitDecay {
-    double p = 2.0;
+    double p = 2.0;  ///< the exponent; 0 is constant
 };
 
 /// floor + (start - floor) e^{-rate N}, with start >= floor >= 0 and rate >= 0.
 struct ExponentialDecay {
-    double start = 1.0;
-    double rate = 0.01;
-    double floor = 0.0;
+    double start = 1.0;  ///< before the first visit
+    double rate = 0.01;  ///< a visit
+    double floor = 0.0;  ///< what is approached
 };
 
 /// A factor that depends on how often (s,a) was visited: a learning rate, or w_SSP of eq. 9. Any of the three rules
@@ -38,13 +38,19 @@ struct ExponentialDecay {
 /// \throws std::invalid_argument for parameters outside the rule's range.
 class Schedule {
 public:
+    /// One of the three rules.
     using Rule = std::variant<Constant, VisitDecay, ExponentialDecay>;
 
+    /// A number is a Constant.
     Schedule(double constant) : Schedule(Rule(Constant{constant})) {}  // NOLINT(google-explicit-constructor)
+    /// The same factor always.
     Schedule(Constant rule) : Schedule(Rule(rule)) {}                  // NOLINT(google-explicit-constructor)
+    /// A power of the visits.
     Schedule(VisitDecay rule) : Schedule(Rule(rule)) {}                // NOLINT(google-explicit-constructor)
+    /// An exponential of the visits.
     Schedule(ExponentialDecay rule) : Schedule(Rule(rule)) {}          // NOLINT(google-explicit-constructor)
 
+    /// Any of them.
     explicit Schedule(const Rule& rule)
         : rule_(checked(rule)), table_([this](std::uint64_t n) { return compute(n); }) {}
 
@@ -53,6 +59,7 @@ public:
         return detail::Tabulated::covers(n) ? table_[n] : compute(n);
     }
 
+    /// As given.
     [[nodiscard]] const Rule& rule() const noexcept { return rule_; }
 
     /// Whether the factor is the same after any number of visits.

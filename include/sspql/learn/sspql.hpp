@@ -30,10 +30,10 @@ namespace sspql {
 ///     struct MyPolicies : sspql::SspqlPolicies { using Cost = sspql::ExpectedTries; };
 ///     sspql::Sspql<MyPolicies> learner(states, actions);
 struct SspqlPolicies : ValuePolicies {
-    using Cell = CountCell;
-    using Probability = SumOverActions;
-    using Cost = RiskWeighted;
-    using Queue = AutoQueue<>;
+    using Cell = CountCell;              ///< what is kept of an (s,a,s')
+    using Probability = SumOverActions;  ///< P(s'|s) from counts, eq. 3
+    using Cost = RiskWeighted;           ///< of an edge, eq. 2
+    using Queue = AutoQueue<>;           ///< of the searches
 };
 
 template <class Policies>
@@ -43,11 +43,13 @@ class Sspql;
 /// w_Q 1, w_SSP = min(1, N^-2), w_EXP 0.1, eta 1.5, noise below 0.01. The other columns of Table 1 are presets.
 template <class Policies = SspqlPolicies>
 struct SspqlParams : ValueParams<Policies> {
+    /// The learner these are for, which Agent deduces.
     using Learner = Sspql<Policies>;
 
     double w_q = 1.0;                   ///< weight of Q
     double w_ssp = 1.0;                 ///< weight of Q_SSP, times ssp_decay; 0 switches the planner off
     Schedule ssp_decay = VisitDecay{};  ///< eq. 9, by visits of (s,a) since the goals were set
+    /// How P(s'|s) comes from the counts, eq. 3.
     typename Policies::Probability probability{};
     typename Policies::Cost cost{};  ///< eq. 2; lambda is in it
     double path_tolerance = 0.0;     ///< costs off by no more than this share stay; 0.01 makes an episode's end cheap
@@ -128,10 +130,13 @@ class Sspql : public ValueLearner<Sspql<Policies>, Policies, SspqlParams<Policie
     static_assert(detail::QueueRequirements<typename Policies::Queue>::met);
 
 public:
+    /// What it is given.
     using Params = SspqlParams<Policies>;
     static constexpr const char* type_name = "SSPQL";  ///< in checkpoints
+    /// What it counts in.
     using Counts = TransitionCounts<typename Policies::Cell>;
 
+    /// Knows nothing yet. `seed` decides the noise of eq. 8.
     /// \throws std::invalid_argument for no states or actions (StateCount::growing() starts with none), gamma or alpha
     /// outside [0, 1], a schedule for w_SSP above 1 (eq. 9), negative weights, a path_tolerance outside [0, 0.5],
     /// a path_budget above 10^15, or parameters that are not finite.
@@ -170,6 +175,7 @@ public:
         if (this->params_.w_ssp != 0.0) planner_.update(counts_, goals_.goals(), Base::legal());
     }
 
+    /// What was observed.
     [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
 
     /// The goals that hold now.

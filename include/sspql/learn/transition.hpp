@@ -11,12 +11,12 @@ namespace sspql {
 /// One observed step: `action` in `state` brought `reward` and led to `next`; `terminated` if the task ended there (then
 /// `next` has no future value). `weight` is what the step cost for eq. 2: time, energy, distance; 1 counts steps.
 struct Transition {
-    StateId state{};
-    ActionId action{};
-    double reward = 0.0;
-    StateId next{};
-    bool terminated = false;
-    double weight = 1.0;
+    StateId state{};          ///< before the action
+    ActionId action{};        ///< taken there
+    double reward = 0.0;      ///< it brought
+    StateId next{};           ///< after the action
+    bool terminated = false;  ///< whether the task ended in `next`
+    double weight = 1.0;      ///< cost for eq. 2, in [1e-30, 1e30]
 
     template <class Archive>
     void serialize(Archive& archive) {
@@ -35,7 +35,9 @@ public:
     /// None at first; the id equal to the current number adds a state, a larger one is an error.
     [[nodiscard]] static StateCount growing() { return StateCount(); }
 
+    /// How many states there are at first; 0 if it grows.
     [[nodiscard]] std::size_t initial() const noexcept { return states_; }
+    /// Whether states are added as they turn up.
     [[nodiscard]] bool grows() const noexcept { return grows_; }
 
 private:
@@ -52,6 +54,7 @@ struct ActionTerms {
     double hint = 0.0;         ///< what is left of a trainer's hint
     double n = 0.0;            ///< N(s,a)
 
+    /// What actions are chosen by, but for the noise.
     [[nodiscard]] double sum() const noexcept { return q + ssp + exploration + hint; }
 };
 

@@ -20,8 +20,8 @@ namespace sspql {
 
 /// The types every learner with a Q table is made of; derive and rename one to replace it.
 struct ValuePolicies {
-    using Selector = ActionSelector;
-    using LegalActions = LegalActionTable;
+    using Selector = ActionSelector;        ///< how actions are chosen
+    using LegalActions = LegalActionTable;  ///< which actions a state has
 };
 
 /// Parameters every learner with a Q table has, by name. Defaults: the paper's gamma = alpha = 0.8, Q starts at 0, no
@@ -34,7 +34,9 @@ struct ValueParams {
     double w_exp = 0.0;                    ///< weight of the exploration bonus; the paper's is 0.1
     ExplorationBonus bonus{1.5};           ///< eq. 7
     Schedule hint_fading = VisitDecay{};   ///< of a trainer's hints, by visits of (s,a) since the hint
+    /// Eq. 8's noise, or another way to explore.
     typename Policies::Selector selector{};
+    /// Which actions a state has.
     typename Policies::LegalActions legal_actions{};
 
     template <class Archive>
@@ -61,6 +63,7 @@ public:
         return {q_(s, a), 0.0, bonus_term(s, a), Base::hint_term(s, a), static_cast<double>(visits_(s, a))};
     }
 
+    /// Q(s,a) as learnt so far.
     [[nodiscard]] const QTable& q() const noexcept { return q_; }
 
 protected:

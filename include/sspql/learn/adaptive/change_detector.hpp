@@ -29,7 +29,7 @@ struct ChangeParams {
         archive(drift, threshold, log_offset, fast, kept, least_count);
     }
 
-    /// \throws std::invalid_argument naming the first number out of range.
+    /// Checks every number. \throws std::invalid_argument naming the first number out of range.
     void validate() const {
         require_in("change.drift", drift, 0.0, 100.0);
         require_in("change.threshold", threshold, 0.0, 1e9);
@@ -46,26 +46,28 @@ struct ChangeParams {
 /// that a noisy action is allowed its noise. Memory 8 bytes an (s,a); a call is O(outcomes).
 class ChangeDetector {
 public:
-    /// \throws std::invalid_argument for parameters out of range.
+    /// Nothing seen yet. \throws std::invalid_argument for parameters out of range.
     ChangeDetector(std::size_t states, std::size_t actions, const ChangeParams& params)
         : actions_(actions), params_(params), score_(states * actions, 0.0f), fast_total_(states * actions, 0.0f) {
         params_.validate();
     }
 
+    /// More states, with score 0.
     void grow(std::size_t states) {
         if (states * actions_ <= score_.size()) return;
         score_.resize(states * actions_, 0.0f);
         fast_total_.resize(states * actions_, 0.0f);
     }
+    /// Room for that many states.
     void reserve(std::size_t states) {
         score_.reserve(states * actions_);
         fast_total_.reserve(states * actions_);
     }
 
-    /// How likely the counts so far made the outcome `next` of (s,a), and how much it adds to the score.
+    /// How likely the counts so far made the outcome `next` of (s,a), and how much of a surprise that was.
     struct Surprise {
-        double likelihood = 0.0;
-        double score = 0.0;
+        double likelihood = 0.0;   ///< the probability of the outcome by the counts so far
+        double score = 0.0;        ///< of (s,a), this outcome included, >= 0
         std::size_t outcomes = 0;  ///< looked at
     };
 
@@ -132,6 +134,7 @@ public:
         fast_total_[index(s) * actions_ + index(a)] = 0.0f;
     }
 
+    /// How much of a surprise has added up for (s,a), >= 0.
     [[nodiscard]] double score(StateId s, ActionId a) const noexcept {
         return static_cast<double>(score_[index(s) * actions_ + index(a)]);
     }

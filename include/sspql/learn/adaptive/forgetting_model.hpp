@@ -32,7 +32,7 @@ struct TrustParams {
         archive(cap, kappa_noise, kappa_least, kappa_few, tau);
     }
 
-    /// \throws std::invalid_argument naming the first number out of range.
+    /// Checks every number. \throws std::invalid_argument naming the first number out of range.
     void validate() const {
         if (cap != 0.0) require_in("trust.cap", cap, 1.0, 1e9);
         require_in("trust.kappa_noise", kappa_noise, 0.0, 1e6);
@@ -46,9 +46,10 @@ struct TrustParams {
 /// outcomes are. observe is O(out-degree) and allocates only when the counts do.
 class ForgettingModel {
 public:
+    /// The counts: they fade and keep rewards.
     using Counts = TransitionCounts<FadingCell>;
 
-    /// \throws std::invalid_argument for parameters out of range.
+    /// Nothing seen yet. \throws std::invalid_argument for parameters out of range.
     ForgettingModel(std::size_t states, std::size_t actions, const TrustParams& trust, const ChangeParams& change)
         : counts_(states, actions),
           detector_(states, actions, change),
@@ -59,6 +60,7 @@ public:
         grow(states);
     }
 
+    /// More states, never seen.
     void grow(std::size_t states) {
         counts_.grow(states);
         detector_.grow(states);
@@ -67,6 +69,7 @@ public:
         }
     }
 
+    /// Room for that many states and distinct (s,s').
     void reserve(std::size_t states, std::size_t pairs) {
         counts_.reserve(states, pairs);
         detector_.reserve(states);
@@ -93,6 +96,7 @@ public:
         return first;
     }
 
+    /// Whether (s,a) was tried, and not all of it has faded.
     [[nodiscard]] bool tried(StateId s, ActionId a) const noexcept { return counts_.n(s, a) > 0.0; }
 
     /// The optimistic pseudo-count of (s,a), tried at least once: it grows with the noise of outcomes, is larger where only
@@ -116,10 +120,15 @@ public:
     /// How often an outcome is another than the counts lead to expect, in [0, 1].
     [[nodiscard]] double noise() const noexcept { return noise_; }
 
+    /// How many (s,a) were tried.
     [[nodiscard]] std::size_t pairs_tried() const noexcept { return pairs_tried_; }
+    /// How many steps were taken in.
     [[nodiscard]] std::uint64_t steps() const noexcept { return steps_; }
+    /// What notices changes of the world.
     [[nodiscard]] const ChangeDetector& detector() const noexcept { return detector_; }
+    /// What was counted.
     [[nodiscard]] const Counts& counts() const noexcept { return counts_; }
+    /// The same, for whoever keeps labels and dirty states there: GoalDistances.
     [[nodiscard]] Counts& counts() noexcept { return counts_; }
 
 private:

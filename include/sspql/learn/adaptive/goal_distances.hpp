@@ -29,11 +29,15 @@ namespace sspql {
 /// O(m + n log n) for a search over n states and m distinct (s,s'). Threads: none inside.
 class GoalDistances {
 public:
+    /// The counts it reads.
     using Counts = TransitionCounts<FadingCell>;
+    /// The distance where no path is known.
     static constexpr double unknown = std::numeric_limits<double>::infinity();
 
+    /// All distances are `unknown`.
     explicit GoalDistances(std::size_t states) { grow(states); }
 
+    /// More states, at distance `unknown`.
     void grow(std::size_t states) {
         if (states <= distance_.size()) return;
         distance_.resize(states, unknown);
@@ -41,6 +45,7 @@ public:
         queued_.resize(states, 0);
         queue_.grow(states);
     }
+    /// Room for that many states.
     void reserve(std::size_t states) {
         distance_.reserve(states);
         tentative_.reserve(states);
@@ -98,6 +103,7 @@ public:
     /// Gives a running search up; distances stay those of the last finished one.
     void abandon() noexcept { searching_ = false; }
 
+    /// Whether a search is under way.
     [[nodiscard]] bool searching() const noexcept { return searching_; }
 
     /// Steps from s to the nearest goal, as of the last search that finished; `unknown` without a known path.

@@ -27,7 +27,7 @@ struct OptimismParams {
         archive(fraction, least, most, gap, limit, saving);
     }
 
-    /// \throws std::invalid_argument naming the first number out of range.
+    /// Checks every number. \throws std::invalid_argument naming the first number out of range.
     void validate() const {
         require_in("optimism.fraction", fraction, 0.0, 10.0);
         require_in("optimism.least", least, 0.0, 1e9);
@@ -53,10 +53,11 @@ public:
 
     /// What untried actions of a state are worth: to the state itself, and to others.
     struct Level {
-        double here = 1.0;
-        double ahead = 1.0;
+        double here = 1.0;   ///< to the state itself
+        double ahead = 1.0;  ///< to others, if nothing else is known of it
     };
 
+    /// Nothing seen yet; `gamma`, the discount, lies in (0, 1).
     /// \throws std::invalid_argument for parameters out of range.
     OptimismScale(double gamma, const OptimismParams& params)
         : gamma_(gamma), log_gamma_(std::log(gamma)), params_(params) {
@@ -114,6 +115,7 @@ public:
         renew();
     }
 
+    /// An episode begins: its cost and its income count from here.
     void begin_episode() noexcept {
         return_ = 0.0;
         discount_ = 1.0;
@@ -131,9 +133,14 @@ public:
         return costs_ || terminal_reward > 0.0;
     }
 
+    /// Whether it is known what there is to be had: an episode ended at a goal, a step brought income, or goals were
+    /// told.
     [[nodiscard]] bool goal_known() const noexcept { return goal_known_; }
+    /// Whether steps have costs; else only discounting does.
     [[nodiscard]] bool costs() const noexcept { return costs_; }
+    /// The value that a step costs; infinite while no step brought a negative reward.
     [[nodiscard]] double unit() const noexcept { return unit_; }
+    /// The best there is: see above.
     [[nodiscard]] double top() const noexcept { return top_; }
 
     /// The median cost of the last episodes that reached a goal, in steps; 0 before.

@@ -34,10 +34,12 @@ class OptimisticPlanner : public TaughtLearner<Derived, Policies, ParamsType> {
     using Base = TaughtLearner<Derived, Policies, ParamsType>;
 
 public:
+    /// The counts it plans on.
     using Counts = ForgettingModel::Counts;
 
     /// Q(s,a) of what was tried; 0 elsewhere.
     [[nodiscard]] const QTable& q() const noexcept { return q_; }
+    /// What was observed, faded.
     [[nodiscard]] const Counts& counts() const noexcept { return model_.counts(); }
 
     /// Records and edges of the model touched so far, for whatever purpose.

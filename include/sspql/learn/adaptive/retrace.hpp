@@ -19,16 +19,21 @@ namespace sspql {
 /// rates stay near 0. For up to 64 actions; beyond, all rates are 0. O(|A|) a call; memory 8 bytes a state and 16 |A|^2.
 class Retrace {
 public:
+    /// Nothing is known to undo anything.
     Retrace(std::size_t states, std::size_t actions)
         : actions_(actions), entered_by_(states, 0), hits_(small() ? actions * actions : 0), trials_(hits_.size()) {}
 
+    /// More states, never entered.
     void grow(std::size_t states) {
         if (states > entered_by_.size()) entered_by_.resize(states, 0);
     }
+    /// Room for that many states.
     void reserve(std::size_t states) { entered_by_.reserve(states); }
 
+    /// What was done last is not what the next action follows.
     void begin_episode() noexcept { last_action_ = no_action; }
 
+    /// Takes in a step, right after the last one unless an episode began since.
     void observe(const Transition& t) {
         if (last_action_ != no_action && last_arrival_ == t.state && small()) {
             const std::size_t at = index(last_action_) * actions_ + index(t.action);
@@ -50,6 +55,7 @@ public:
         return last_action_ != no_action && last_arrival_ == s ? last_action_ : no_action;
     }
 
+    /// How likely b leads from s back to where s was entered from, in [0, 1).
     [[nodiscard]] double rate(StateId s, ActionId b) const noexcept {
         double greatest = 0.0;
         for (std::uint64_t left = entered_by_[index(s)], a = 0; left != 0; left >>= 1, ++a) {

@@ -18,9 +18,12 @@ namespace sspql {
 /// largest goal's id.
 class ToldGoals {
 public:
+    /// Whether no goals were told.
     [[nodiscard]] bool empty() const noexcept { return goals_.empty(); }
+    /// The goals, as told.
     [[nodiscard]] const std::vector<Goal>& goals() const noexcept { return goals_; }
 
+    /// These hold from now on, worth what the scale says; none is fine. O(goals).
     void set(const std::vector<Goal>& goals, const OptimismScale& scale) {
         goals_ = goals;
         worth_.clear();
@@ -40,6 +43,7 @@ public:
         }
     }
 
+    /// Whether s is one of them.
     [[nodiscard]] bool contains(StateId s) const noexcept {
         return index(s) < worth_.size() && worth_[index(s)] == worth_[index(s)];
     }
