@@ -17,8 +17,8 @@ namespace sspql {
 
 /// Another map from this step of a run on: the first step made on it is number `from_step`, counted from 0.
 struct MapChange {
-    std::size_t from_step = 0;
-    GridMap map;
+    std::size_t from_step = 0;  ///< steps of the run made before it, in all episodes; > 0
+    GridMap map;                ///< the map that holds then
 };
 
 /// Environment: a GridWorld whose map changes while it runs, when a given number of steps was made in all episodes
@@ -29,6 +29,7 @@ struct MapChange {
 /// dimensions.
 class ChangingGridWorld {
 public:
+    /// `world` as it is until the first of `changes`, which are in the order they come.
     ChangingGridWorld(GridWorld world, std::vector<MapChange> changes)
         : world_(std::move(world)), changes_(std::move(changes)) {
         std::size_t previous = 0;
@@ -42,12 +43,13 @@ public:
         }
     }
 
+    /// Starts an episode in the world as it is now: see GridWorld::reset. \returns the start.
     StateId reset(std::uint64_t seed) {
         change_map();
         return world_.reset(seed);
     }
 
-    /// \throws what GridWorld::step throws; such a call is no step.
+    /// A step in the map that holds by now. \throws what GridWorld::step throws; such a call is no step.
     Step<StateId> step(Move move) {
         change_map();
         const Step<StateId> result = world_.step(move);
@@ -61,11 +63,13 @@ public:
     /// Number of changes that have taken effect.
     [[nodiscard]] std::size_t changes_made() const noexcept { return made_; }
 
+    /// As given, those that have taken effect included.
     [[nodiscard]] const std::vector<MapChange>& changes() const noexcept { return changes_; }
 
     /// The world as it is now.
     [[nodiscard]] const GridWorld& world() const noexcept { return world_; }
 
+    /// Number of states: cells, walls included.
     [[nodiscard]] std::size_t size() const noexcept { return world_.size(); }
 
 private:

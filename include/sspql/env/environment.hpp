@@ -14,10 +14,10 @@ namespace sspql {
 /// has one. Both may be set.
 template <class Observation>
 struct Step {
-    Observation observation{};
-    double reward = 0.0;
-    bool terminated = false;
-    bool truncated = false;
+    Observation observation{};  ///< what is seen after the command
+    double reward = 0.0;        ///< what it brought
+    bool terminated = false;    ///< whether the task ended
+    bool truncated = false;     ///< whether the episode was cut short
 };
 
 namespace detail {

@@ -29,6 +29,7 @@ enum class GridCell : std::uint8_t { free = '.', wall = '#', goal = 'G', start =
 /// Every map has a goal and a cell to start from, and at most 2^24 cells.
 class GridMap {
 public:
+    /// The most cells that a map has.
     static constexpr std::size_t most_cells = std::size_t{1} << 24;
 
     /// Reads a map to the end of the input. Empty lines at the end are ignored.
@@ -65,20 +66,24 @@ public:
         return read(file, path);
     }
 
+    /// Number of rows.
     [[nodiscard]] std::size_t rows() const noexcept { return rows_; }
+    /// Number of columns.
     [[nodiscard]] std::size_t columns() const noexcept { return columns_; }
 
     /// Number of cells, walls included: the number of states.
     [[nodiscard]] std::size_t size() const noexcept { return cells_.size(); }
 
-    /// \throws std::invalid_argument for a place outside.
+    /// The state of the cell at this place. \throws std::invalid_argument for a place outside.
     [[nodiscard]] StateId state(std::size_t row, std::size_t column) const {
         if (row >= rows_) throw_invalid("row", "be below " + std::to_string(rows_), row);
         if (column >= columns_) throw_invalid("column", "be below " + std::to_string(columns_), column);
         return state_id(row * columns_ + column);
     }
 
+    /// The row of a cell, from 0 at the top. Precondition (unchecked): s is a cell of the map.
     [[nodiscard]] std::size_t row(StateId s) const noexcept { return index(s) / columns_; }
+    /// The column of a cell, from 0 at the left. Precondition (unchecked): s is a cell of the map.
     [[nodiscard]] std::size_t column(StateId s) const noexcept { return index(s) % columns_; }
 
     /// Precondition (asserted): s is a cell of the map.
@@ -110,9 +115,11 @@ public:
         return out;
     }
 
+    /// The same cells.
     friend bool operator==(const GridMap& a, const GridMap& b) noexcept {
         return a.columns_ == b.columns_ && a.cells_ == b.cells_;
     }
+    /// Other cells, or another size.
     friend bool operator!=(const GridMap& a, const GridMap& b) noexcept { return !(a == b); }
 
 private:

@@ -35,11 +35,11 @@ namespace sspql {
 
 /// A grid world by name: its map, how it changes within a run, and the settings it is known with.
 struct GridTask {
-    std::string name;
-    GridMap map;
-    std::vector<MapChange> changes;
-    std::size_t total_steps = 0;  ///< length of a run that is counted in steps; 0: counted in episodes
-    GridWorldParams params{};
+    std::string name;                ///< what it is called
+    GridMap map;                     ///< the map at the beginning
+    std::vector<MapChange> changes;  ///< the maps that follow it in a run, and when
+    std::size_t total_steps = 0;     ///< length of a run that is counted in steps; 0: counted in episodes
+    GridWorldParams params{};        ///< slip and rewards
 
     /// The world at the beginning of a run.
     [[nodiscard]] GridWorld world() const { return GridWorld(map, params); }

@@ -26,19 +26,19 @@ enum class SlipKind : std::uint8_t { other, perpendicular, lost };
 
 /// Rewards of a grid world. A step has one of them: `goal` if it reaches a goal, `hazard` if a hazard, else `step`.
 struct GridRewards {
-    double goal = 1.0;
-    double step = 0.0;
-    double hazard = 0.0;
+    double goal = 1.0;        ///< of reaching a goal
+    double step = 0.0;        ///< of any other step
+    double hazard = 0.0;      ///< of getting into a hazard
     bool hazard_ends = true;  ///< false: a hazard takes the agent back to the start instead of ending the episode
 };
 
 /// Settings of a GridWorld.
 struct GridWorldParams {
-    double slip = 0.0;  ///< chance that a step slips, in [0, 1]
-    SlipKind slip_kind = SlipKind::other;
-    GridRewards rewards{};
+    double slip = 0.0;                     ///< chance that a step slips, in [0, 1]
+    SlipKind slip_kind = SlipKind::other;  ///< where a slip leads
+    GridRewards rewards{};                 ///< what steps bring
 
-    /// \throws std::invalid_argument naming the first number out of range.
+    /// Checks every number. \throws std::invalid_argument naming the first number out of range.
     void validate() const {
         require_in("slip", slip, 0.0, 1.0);
         require_finite("goal reward", rewards.goal);
@@ -117,14 +117,17 @@ inline void require_one_start(const GridMap& map, const GridRewards& rewards) {
 /// \throws std::invalid_argument for parameters out of range, or hazards that lead back to one of several starts.
 class GridWorld {
 public:
+    /// The number of actions.
     static constexpr std::size_t actions = 4;
 
+    /// The agent is nowhere until reset().
     explicit GridWorld(GridMap map, GridWorldParams params = {})
         : map_(std::move(map)), params_(params), noise_(0, RandomStream::noise) {
         params_.validate();
         detail::require_one_start(map_, params_.rewards);
     }
 
+    /// Starts an episode; all of its chance comes from the seed. \returns the start.
     StateId reset(std::uint64_t seed) {
         Random start(seed, RandomStream::environment);
         noise_ = Random(seed, RandomStream::noise);
@@ -133,6 +136,7 @@ public:
         return state_;
     }
 
+    /// Moves, or slips.
     /// \throws std::logic_error before reset() and after the end of an episode; std::invalid_argument for no move.
     Step<StateId> step(Move move) {
         if (!running_) throw std::logic_error("step() outside an episode: reset() first");
@@ -178,7 +182,9 @@ public:
     /// Number of states: cells, walls included.
     [[nodiscard]] std::size_t size() const noexcept { return map_.size(); }
 
+    /// The map as it is now.
     [[nodiscard]] const GridMap& map() const noexcept { return map_; }
+    /// As given.
     [[nodiscard]] const GridWorldParams& params() const noexcept { return params_; }
 
     /// Where the agent is; no_state before the first reset().

@@ -19,12 +19,12 @@ namespace sspql {
 
 /// Settings of random_mdp.
 struct RandomMdpParams {
-    std::size_t states = 20;    ///< the goal included; at least 2
-    std::size_t actions = 3;    ///< in every state but the goal
-    std::size_t branching = 3;  ///< distinct successors of each (s,a), 1 to states
-    double least_reward = 0.0;  ///< of a step that does not reach the goal: uniform in [least, greatest]
-    double greatest_reward = 0.0;
-    double goal_reward = 1.0;
+    std::size_t states = 20;       ///< the goal included; at least 2
+    std::size_t actions = 3;       ///< in every state but the goal
+    std::size_t branching = 3;     ///< distinct successors of each (s,a), 1 to states
+    double least_reward = 0.0;     ///< of a step that does not reach the goal: uniform in [least, greatest]
+    double greatest_reward = 0.0;  ///< its upper end
+    double goal_reward = 1.0;      ///< of the step that reaches the goal
 };
 
 /// A random table: each (s,a) has `branching` successors with random probabilities (none below 1/(20 branching)). The

@@ -22,8 +22,10 @@ namespace sspql {
 /// RandomStream::noise, also where only one outcome is possible. A step is O(outcomes of (s,a)), without allocation.
 class TabularEnvironment {
 public:
+    /// The agent is nowhere until reset().
     explicit TabularEnvironment(TransitionTable table) : table_(std::move(table)), noise_(0, RandomStream::noise) {}
 
+    /// Starts an episode; all of its chance comes from the seed. \returns the start.
     StateId reset(std::uint64_t seed) {
         Random start(seed, RandomStream::environment);
         noise_ = Random(seed, RandomStream::noise);
@@ -32,6 +34,7 @@ public:
         return state_;
     }
 
+    /// Draws an outcome of the action.
     /// \throws std::logic_error before reset() and after the end of an episode; std::invalid_argument for an action
     /// that the state does not have. Nothing has changed then.
     Step<StateId> step(ActionId a) {
@@ -45,6 +48,7 @@ public:
         return {outcome.next, outcome.reward, outcome.terminal, false};
     }
 
+    /// The table that is acted out.
     [[nodiscard]] const TransitionTable& table() const noexcept { return table_; }
 
     /// Number of states.

@@ -19,17 +19,20 @@ namespace sspql {
 template <class Environment>
 class TimeLimit {
 public:
+    /// `environment`, whose episodes end after `max_steps` steps at the latest.
     TimeLimit(Environment environment, std::size_t max_steps)
         : environment_(std::move(environment)), max_steps_(max_steps) {
         if (max_steps == 0) throw_invalid("max_steps", "be at least 1", max_steps);
     }
 
+    /// Starts an episode of the inner environment, at step 0.
     template <class E = Environment>
     auto reset(std::uint64_t seed) -> std::decay_t<decltype(std::declval<E&>().reset(seed))> {
         steps_ = 0;
         return environment_.reset(seed);
     }
 
+    /// A step of the inner environment, `truncated` at the limit. What throws is no step.
     template <class Command, class E = Environment>
     auto step(const Command& command) -> std::decay_t<decltype(std::declval<E&>().step(command))> {
         auto result = environment_.step(command);
@@ -38,9 +41,13 @@ public:
         return result;
     }
 
+    /// Steps made in this episode.
     [[nodiscard]] std::size_t steps() const noexcept { return steps_; }
+    /// As given.
     [[nodiscard]] std::size_t max_steps() const noexcept { return max_steps_; }
+    /// The inner environment.
     [[nodiscard]] Environment& environment() noexcept { return environment_; }
+    /// The same for reading.
     [[nodiscard]] const Environment& environment() const noexcept { return environment_; }
 
 private:
