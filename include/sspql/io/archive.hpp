@@ -35,13 +35,16 @@ namespace sspql {
 template <class Derived, bool reads>
 class Archive {
 public:
+    /// Whether values are read.
     static constexpr bool loading = reads;
 
+    /// Reads or writes these values, in this order.
     template <class... T>
     [[gnu::always_inline]] void operator()(T&... values) {
         (item(values), ...);
     }
 
+    /// Reads or writes a std::size_t as 8 bytes.
     void size(std::size_t& n) {
         std::uint64_t wide = n;
         item(wide);
@@ -51,6 +54,7 @@ public:
         }
     }
 
+    /// Reads or writes a vector whose length is known; a file with another one is refused.
     template <class T>
     void fixed(std::vector<T>& values) {
         std::size_t n = values.size();
@@ -59,6 +63,7 @@ public:
         elements(values);
     }
 
+    /// Reads or writes a policy object: its name as a tag, and its state.
     template <class T>
     void policy(const char* what, T& object) {
         if constexpr (has_name<T>(0)) {

@@ -37,6 +37,7 @@ namespace sspql {
 /// directory fails, the new content is in place. std::logic_error for calls after commit().
 class AtomicFile {
 public:
+    /// Begins a new file beside the one at `path`.
     explicit AtomicFile(std::string path) : path_(std::move(path)) {
         resolve();
         buffer_.reserve(buffer_size);
@@ -55,6 +56,7 @@ public:
     AtomicFile& operator=(const AtomicFile&) = delete;
     ~AtomicFile() { discard(); }
 
+    /// Adds bytes.
     void write(const void* data, std::size_t size) {
         require_open();
         if (size == 0) return;
@@ -70,6 +72,7 @@ public:
         }
     }
 
+    /// Adds a text.
     void write(std::string_view text) { write(text.data(), text.size()); }
 
     /// Everything is on the disk and under its name when this returns.

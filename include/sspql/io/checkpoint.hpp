@@ -211,7 +211,7 @@ template <class T>
     return std::move(sink.bytes());
 }
 
-/// \param name what error messages call the bytes.
+/// load() from what save_to_bytes() gave. \param name what error messages call the bytes.
 template <class T>
 void load_from_bytes(std::string_view bytes, T& learner_or_agent, const std::string& name = "in memory") {
     MemorySource source(bytes);

@@ -34,7 +34,7 @@ class CheckpointReader : public Archive<CheckpointReader<Source>, true> {
     friend Base;
 
 public:
-    /// \param name what messages call it, the path of the file.
+    /// Checks all of it. \param name what messages call it, the path of the file.
     CheckpointReader(Source& source, std::string name)
         : source_(source), name_(std::move(name)), chunk_(detail::largest_chunk) {
         open_header();
@@ -53,6 +53,7 @@ public:
     /// Version of the library that wrote it, as 1000000 major + 1000 minor + patch.
     [[nodiscard]] std::uint32_t written_by() const noexcept { return written_by_; }
 
+    /// Opens the next section, which must have this name, and calls read() for what is in it, which must be all.
     template <class F>
     void section(const char* name, const F& read) {
         open_section();
@@ -70,10 +71,12 @@ public:
         check_sum();
     }
 
+    /// Expects the end: no section must follow.
     void finish() {
         section(detail::last_section, [] {});
     }
 
+    /// Reads a name, which must be this one.
     void tag(const char* what, const std::string& name) {
         std::string found;
         (*this)(found);
@@ -82,6 +85,7 @@ public:
         refuse(std::string("the file has the ") + what + " '" + found.substr(0, 60) + "', this learner '" + name + "'");
     }
 
+    /// Refuses the file unless `ok`; `text` says what is wrong with it.
     void require(bool ok, const char* text) {
         if (!ok) refuse(text);
     }

@@ -22,6 +22,7 @@ namespace sspql {
 /// \throws std::runtime_error "cannot read PATH: REASON".
 class FileSource {
 public:
+    /// Opens the file.
     explicit FileSource(const std::string& path) : path_(path), buffer_(std::size_t{1} << 16) {
         descriptor_.value = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);  // a pipe without a writer: no waiting
         struct stat status {};
@@ -34,13 +35,16 @@ public:
     FileSource& operator=(const FileSource&) = delete;
     ~FileSource() = default;
 
+    /// Bytes in all.
     [[nodiscard]] std::uint64_t size() const noexcept { return size_; }
 
+    /// Back to the first byte.
     void rewind() {
         if (::lseek(descriptor_.value, 0, SEEK_SET) != 0) fail(errno);
         used_ = filled_ = 0;
     }
 
+    /// Reads the next `most` bytes. \returns how many there were; fewer only at the end.
     std::size_t read(void* to, std::size_t most) {
         std::size_t done = 0;
         while (done < most) {
@@ -89,10 +93,14 @@ private:
 /// Bytes in memory; the view must stay valid.
 class MemorySource {
 public:
+    /// Before the first byte.
     explicit MemorySource(std::string_view bytes) noexcept : bytes_(bytes) {}
 
+    /// Bytes in all.
     [[nodiscard]] std::uint64_t size() const noexcept { return bytes_.size(); }
+    /// Back to the first byte.
     void rewind() noexcept { used_ = 0; }
+    /// Reads the next `most` bytes. \returns how many there were; fewer only at the end.
     std::size_t read(void* to, std::size_t most) noexcept {
         const std::size_t n = std::min(most, bytes_.size() - used_);
         if (n != 0) std::memcpy(to, bytes_.data() + used_, n);

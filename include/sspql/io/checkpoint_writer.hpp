@@ -22,6 +22,7 @@ class CheckpointWriter : public Archive<CheckpointWriter<Sink>, false> {
     friend Base;
 
 public:
+    /// Writes the header. The sink must outlive the writer; it throws what it throws.
     explicit CheckpointWriter(Sink& sink) : sink_(sink), chunk_(detail::largest_chunk) {
         detail::Crc32 crc;
         put(detail::checkpoint_magic.data(), detail::checkpoint_magic.size(), crc);
@@ -30,6 +31,7 @@ public:
         put_checksum(crc);
     }
 
+    /// A section of this name (at most 15 characters) with what write() writes.
     template <class F>
     void section(const char* name, const F& write) {
         crc_ = detail::Crc32{};
@@ -47,11 +49,13 @@ public:
         section(detail::last_section, [] {});
     }
 
+    /// Writes a name, which a reader compares with its own.
     void tag(const char* /*what*/, const std::string& name) {
         std::string copy = name;
         (*this)(copy);
     }
 
+    /// Nothing: what is written is right.
     void require(bool /*ok*/, const char* /*text*/) const noexcept {}
 
 private:
@@ -103,7 +107,9 @@ private:
 /// A sink in memory.
 class MemorySink {
 public:
+    /// Adds bytes.
     void write(const void* data, std::size_t size) { bytes_.append(static_cast<const char*>(data), size); }
+    /// All bytes so far.
     [[nodiscard]] std::string& bytes() noexcept { return bytes_; }
 
 private:

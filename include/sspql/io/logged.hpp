@@ -32,14 +32,17 @@ using LearnerExpression = decltype(std::declval<A&>().learner());
 template <class Agent>
 class Logged {
 public:
+    /// Writes what `agent`, an Agent or a learner, does to `log`.
     Logged(Agent& agent, StepLog& log) noexcept : agent_(&agent), log_(&log) {}
 
+    /// Starts an episode: the agent's begin. What the log has of one that was dropped meanwhile goes no further.
     template <class Observation>
     [[nodiscard]] auto begin(const Observation& observation) {
         auto command = agent_->begin(observation);
         log_->abort();  // an episode that somebody dropped behind our back
         return command;
     }
+    /// The same with the actions that are legal now.
     template <class Observation>
     [[nodiscard]] auto begin(const Observation& observation, const ActionSet& legal) {
         auto command = agent_->begin(observation, legal);
@@ -47,6 +50,7 @@ public:
         return command;
     }
 
+    /// The agent's step, and then a line in the log.
     template <class Observation>
     [[nodiscard]] auto step(double reward, const Observation& observation, double weight = 1.0) {
         Transition t = pending(reward, weight);
@@ -55,6 +59,7 @@ public:
         log_->write(t);
         return command;
     }
+    /// The same with the actions that are legal now.
     template <class Observation>
     [[nodiscard]] auto step(double reward, const Observation& observation, const ActionSet& legal,
                             double weight = 1.0) {
@@ -65,6 +70,7 @@ public:
         return command;
     }
 
+    /// The agent's end, and then a line in the log.
     template <class Observation>
     void end(double reward, const Observation& observation, bool terminated, double weight = 1.0) {
         Transition t = pending(reward, weight);
@@ -80,7 +86,9 @@ public:
         log_->abort();
     }
 
+    /// What acts.
     [[nodiscard]] Agent& agent() noexcept { return *agent_; }
+    /// Where its steps go.
     [[nodiscard]] StepLog& log() noexcept { return *log_; }
 
 private:

@@ -19,8 +19,8 @@ namespace sspql {
 
 /// The words of save_policy_csv; numbers where empty.
 struct PolicyLabels {
-    std::function<std::string(StateId)> state{};
-    std::function<std::string(ActionId)> action{};
+    std::function<std::string(StateId)> state{};    ///< a state in words
+    std::function<std::string(ActionId)> action{};  ///< an action in words
 };
 
 namespace detail {

@@ -74,8 +74,9 @@ void live_through(Learner& learner, const StepLogReader& log) {
 ///
 /// One line at a time is held in memory. A growing learner takes ids in the order of discovery.
 /// \throws std::runtime_error "NAME:LINE:COLUMN: ..." for what StepLogReader refuses, for ids that the learner does
-/// not have and rewards beyond what learners take; what the learner itself throws. What came before the error was learnt, and no episode is running then:
-/// for_each_step checks a log without learning. std::logic_error if an episode is running.
+/// not have and rewards beyond what learners take; what the learner itself throws. What came before the error was
+/// learnt, and no episode is running then: for_each_step checks a log without learning. std::logic_error if an episode
+/// is running.
 template <class Learner>
 StepLogContent replay(std::istream& in, const std::string& name, Learner& learner) {
     if (learner.running()) throw std::logic_error("replay() during an episode: end() or abort() it first");

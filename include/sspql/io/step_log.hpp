@@ -35,7 +35,7 @@ enum class LogFlush {
 
 /// How a StepLog writes.
 struct StepLogOptions {
-    LogFlush flush = LogFlush::every_episode;
+    LogFlush flush = LogFlush::every_episode;  ///< when steps leave the program's memory
     /// Wait for the disk (fsync) at each flush. Else a power cut also loses what the system holds back, some 30
     /// seconds; a crash of the program does not.
     bool synchronise = true;
@@ -67,6 +67,7 @@ struct StepLogOptions {
 /// stays untouched. The destructor flushes, but cannot tell: call close() to hear of errors.
 class StepLog {
 public:
+    /// Opens the log at `path`, or begins it: a new file has its header at once.
     explicit StepLog(std::string path, StepLogOptions options = {}) : path_(std::move(path)), options_(options) {
         file_ = detail::FileDescriptor(::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
         if (file_.number() < 0) detail::throw_cannot_write(path_, errno);
@@ -139,6 +140,7 @@ public:
         if (const int error = file_.close()) detail::throw_cannot_write(path_, error);
     }
 
+    /// Refuses a weight that write() would refuse, before anything is learnt from the step.
     /// \throws std::invalid_argument for a weight that this log cannot take: outside [1e-30, 1e30], or other than 1
     /// without the option `weights`.
     void require_weight(double weight) const {
@@ -149,6 +151,7 @@ public:
     /// Number of the running episode, or of the one that begins next.
     [[nodiscard]] std::uint64_t episode() const noexcept { return episode_; }
 
+    /// As given.
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
 private:

@@ -19,7 +19,7 @@ namespace sspql {
 
 /// One line of a step log.
 struct LoggedStep {
-    Transition transition;
+    Transition transition;      ///< what happened
     bool truncated = false;     ///< the episode was cut short here
     std::uint64_t episode = 0;  ///< ascending, not always by one
     std::uint64_t step = 0;     ///< within the episode, from 0

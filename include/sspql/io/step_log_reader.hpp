@@ -19,8 +19,8 @@ namespace sspql {
 struct StepLogContent {
     std::uint64_t episodes = 0;    ///< begun
     std::uint64_t unfinished = 0;  ///< of them: neither terminated nor truncated, as after abort() or a power cut
-    std::uint64_t steps = 0;
-    std::size_t cut_line = 0;  ///< number of the last line if it has no end, and was therefore left out; else 0
+    std::uint64_t steps = 0;       ///< in all episodes
+    std::size_t cut_line = 0;      ///< number of the last line if it has no end, and was therefore left out; else 0
 };
 
 /// Reads what StepLog wrote, line by line in constant memory:
