@@ -18,11 +18,12 @@ namespace sspql {
 /// A run that is killed loses 9 episodes at most. Errors: save()'s end the run; the agent stays as it is.
 class CheckpointEvery {
 public:
-    /// \throws std::invalid_argument for 0 episodes.
+    /// Saves to `path`, for the first time after so many episodes. \throws std::invalid_argument for 0 episodes.
     CheckpointEvery(std::size_t episodes, std::string path) : episodes_(episodes), path_(std::move(path)) {
         if (episodes_ == 0) throw_invalid("episodes between checkpoints", "be at least 1", episodes_);
     }
 
+    /// For run_episodes to call after each episode.
     template <class Agent>
     void operator()(const EpisodeResult& /*result*/, const Agent& agent) {
         if (++since_ < episodes_) return;

@@ -14,7 +14,7 @@ namespace sspql {
 
 /// How one episode went.
 struct EpisodeResult {
-    std::size_t steps = 0;
+    std::size_t steps = 0;      ///< of the environment
     double total_reward = 0.0;  ///< undiscounted return
     double last_reward = 0.0;   ///< that of the last step
     bool terminated = false;    ///< the task itself ended
@@ -23,6 +23,7 @@ struct EpisodeResult {
 
 /// Does nothing; what run_episode calls after each step, and run_episodes after each episode, unless told otherwise.
 struct NoCallback {
+    /// Nothing.
     template <class... What>
     void operator()(const What&...) const noexcept {}
 };

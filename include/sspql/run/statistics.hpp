@@ -11,10 +11,10 @@ namespace sspql {
 /// Mean, sample standard deviation (n - 1) and standard error of a sample. `deviation` and `error` are 0 for fewer than
 /// two values; `count` says so.
 struct Summary {
-    std::size_t count = 0;
-    double mean = 0.0;
-    double deviation = 0.0;
-    double error = 0.0;
+    std::size_t count = 0;   ///< how many values
+    double mean = 0.0;       ///< 0 for none
+    double deviation = 0.0;  ///< sample standard deviation, with n - 1
+    double error = 0.0;      ///< standard error of the mean
 };
 
 /// Two passes in the order of the values: the same numbers on every machine, no cancellation. O(n).
