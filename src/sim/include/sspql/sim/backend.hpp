@@ -43,8 +43,8 @@ enum class Stop {
 
 /// What a move did: the metres or radians it went, with the sign of what was asked, and why it ended.
 struct Move {
-    double amount = 0.0;
-    Stop stop = Stop::done;
+    double amount = 0.0;     ///< metres or radians, with the sign of what was asked
+    Stop stop = Stop::done;  ///< why it ended
 };
 
 namespace detail {

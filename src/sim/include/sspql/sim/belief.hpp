@@ -14,7 +14,7 @@ namespace sspql::sim {
 
 /// Where a thing is believed to be, in the odometry frame, and how sure that is.
 struct Landmark {
-    Point place{};
+    Point place{};             ///< in the odometry frame
     double variance_m2 = 0.0;  ///< of either coordinate
     int misses = 0;            ///< looks in a row that should have shown it and did not
 };
@@ -41,7 +41,9 @@ public:
         goal_.reset();
     }
 
+    /// The box is anywhere again.
     void forget_box() noexcept { box_.reset(); }
+    /// The goal is anywhere again.
     void forget_goal() noexcept { goal_.reset(); }
 
     /// Takes the truth instead, in whatever frame it is given.
@@ -79,9 +81,13 @@ public:
         }
     }
 
+    /// Where the robot believes to be, in the odometry frame.
     [[nodiscard]] const Pose& robot() const noexcept { return robot_; }
+    /// The box, if known: its centre.
     [[nodiscard]] const std::optional<Landmark>& box() const noexcept { return box_; }
+    /// The goal, if known: its centre.
     [[nodiscard]] const std::optional<Landmark>& goal() const noexcept { return goal_; }
+    /// Whether box and goal are known, at different places.
     [[nodiscard]] bool is_complete() const noexcept { return box_ && goal_ && !(box_->place == goal_->place); }
 
     /// What the learnt sub-tasks and the push look at, in the odometry frame. Precondition: is_complete().
@@ -89,12 +95,12 @@ public:
         return {robot_, {box_->place.x_m, box_->place.y_m, 0.0}, goal_->place};
     }
 
-    static constexpr int most_misses = 3;
-    static constexpr double least_box_gain = 0.3;
+    static constexpr int most_misses = 3;            ///< looks in a row, then the thing is forgotten
+    static constexpr double least_box_gain = 0.3;    ///< the least part of a difference by which the box is corrected
     static constexpr double touched_box_gain = 0.7;  ///< ... nearer than touched_m, where it may be moving
-    static constexpr double touched_m = 0.55;
-    static constexpr double least_goal_gain = 0.05;
-    static constexpr double surprising_m = 0.25;
+    static constexpr double touched_m = 0.55;        ///< metres from the robot's centre to the box's
+    static constexpr double least_goal_gain = 0.05;  ///< the least part for the goal, which stays where it is
+    static constexpr double surprising_m = 0.25;     ///< seen farther off than this and 4 deviations: it was moved
 
 private:
     [[nodiscard]] static double squared(double x) noexcept { return x * x; }

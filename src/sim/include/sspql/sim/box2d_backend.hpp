@@ -32,12 +32,13 @@ namespace sspql::sim {
 /// of functions, filled before the first world here, and profiling counters that nobody reads).
 class Box2dBackend {
 public:
-    /// \throws std::invalid_argument for parameters out of range.
+    /// Copies the numbers; reset() says where things are. \throws std::invalid_argument for parameters out of range.
     explicit Box2dBackend(const PusherParams& params = {}) : params_(detail::checked(params)), guard_(params_) {
         fill_contact_table();
         build({-1.0, 0.0, 0.0}, {}, {1.3, 0.0});
     }
 
+    /// A new world at rest.
     /// \throws std::invalid_argument unless all is finite, robot and box lie inside the arena and do not overlap.
     void reset(const Pose& robot, const Pose& box, const Point& goal) {
         detail::require_start(params_, robot, box, goal);
@@ -46,7 +47,7 @@ public:
         record();
     }
 
-    /// \throws std::invalid_argument unless both are finite.
+    /// Drives, turning evenly by `drift_rad` meanwhile. \throws std::invalid_argument unless both are finite.
     Move translate(double distance_m, double drift_rad) {
         require_finite("distance_m", distance_m);
         require_finite("drift_rad", drift_rad);
@@ -97,7 +98,7 @@ public:
         return {forward ? gone : -gone, stop};
     }
 
-    /// \throws std::invalid_argument unless the angle is finite.
+    /// Turns on the spot, > 0 to the left. \throws std::invalid_argument unless the angle is finite.
     Move rotate(double angle_rad) {
         require_finite("angle_rad", angle_rad);
         const double dt = params_.time_step_s;
@@ -127,9 +128,13 @@ public:
         return {side * gone, stop};
     }
 
+    /// Where the robot is, arena frame, heading in (-pi, pi].
     [[nodiscard]] Pose robot() const noexcept { return pose_of(*robot_body_); }
+    /// Where the box is, arena frame, heading in (-pi, pi].
     [[nodiscard]] Pose box() const noexcept { return pose_of(*box_body_); }
+    /// Where the box is to go, as given to reset.
     [[nodiscard]] const Point& goal() const noexcept { return goal_; }
+    /// As given, but for the guard's switch.
     [[nodiscard]] const PusherParams& params() const noexcept { return params_; }
 
     /// Switches the guard on or off from the next move on: pushing means touching.

@@ -62,9 +62,9 @@ inline constexpr std::size_t box_states = box_rings * box_sectors * heading_bins
 
 /// One cell of Fig. 7.
 struct BoxCell {
-    std::size_t ring = 0;
-    std::size_t sector = 0;
-    std::size_t heading_bin = 0;
+    std::size_t ring = 0;         ///< 0 to 2, from the box outward
+    std::size_t sector = 0;       ///< 0 to 11
+    std::size_t heading_bin = 0;  ///< 0 to 11
 };
 
 /// round(angle / 30 degrees) mod 12. Bin k is [30 k - 15, 30 k + 15) degrees. Precondition: the angle is finite.

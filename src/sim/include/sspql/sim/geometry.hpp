@@ -14,13 +14,14 @@
 
 namespace sspql::sim {
 
+/// The distance along a ray that hits nothing.
 inline constexpr double no_hit = std::numeric_limits<double>::infinity();
 
 /// A square at any angle: the box. `axis` is the direction of its own +x.
 struct Square {
-    Point centre{};
-    Direction axis{};
-    double half_side_m = 0.15;
+    Point centre{};             ///< in the arena's frame
+    Direction axis{};           ///< where its own +x points
+    double half_side_m = 0.15;  ///< half the length of a side
 };
 
 /// The square of this side centred on a pose and turned by its heading.

@@ -18,6 +18,7 @@ namespace sspql::sim {
 /// A value; `reading_m` is const, pure and O(rays), so one object may serve several threads.
 class Guard {
 public:
+    /// The sonars of this body in this arena. Precondition: valid parameters.
     explicit Guard(const PusherParams& params) noexcept : arena_half_side_m_(params.arena_half_side_m) {
         for (std::size_t i = 0; i < rays_.size(); ++i) {
             const double angle = params.guard_angles_rad[i];

@@ -26,10 +26,11 @@ namespace sspql::sim {
 /// A move is O(leaps), some 3 to 30, and allocates only while paths are recorded. Copyable; one object per thread.
 class KinematicBackend {
 public:
-    /// \throws std::invalid_argument for parameters out of range.
+    /// Copies the numbers; reset() says where things are. \throws std::invalid_argument for parameters out of range.
     explicit KinematicBackend(const PusherParams& params = {})
         : params_(detail::checked(params)), guard_(params_), square_(square_at(box_, params_.box_side_m)) {}
 
+    /// Puts robot and box there.
     /// \throws std::invalid_argument unless all is finite, robot and box lie inside the arena and do not overlap.
     void reset(const Pose& robot, const Pose& box, const Point& goal) {
         detail::require_start(params_, robot, box, goal);
@@ -43,7 +44,7 @@ public:
         record();
     }
 
-    /// \throws std::invalid_argument unless both are finite.
+    /// Drives, turning evenly by `drift_rad` meanwhile. \throws std::invalid_argument unless both are finite.
     Move translate(double distance_m, double drift_rad) {
         require_finite("distance_m", distance_m);
         require_finite("drift_rad", drift_rad);
@@ -96,9 +97,13 @@ public:
         return move;
     }
 
+    /// Where the robot is, arena frame, heading in (-pi, pi].
     [[nodiscard]] const Pose& robot() const noexcept { return robot_; }
+    /// Where the box is, as given to reset, the heading in (-pi, pi].
     [[nodiscard]] const Pose& box() const noexcept { return box_; }
+    /// Where the box is to go, as given to reset.
     [[nodiscard]] const Point& goal() const noexcept { return goal_; }
+    /// As given, but for the guard's switch.
     [[nodiscard]] const PusherParams& params() const noexcept { return params_; }
 
     /// Switches the guard on or off from the next move on: pushing means touching.

@@ -10,6 +10,7 @@
 
 namespace sspql::sim {
 
+/// Half a turn, in radians.
 inline constexpr double pi = 3.14159265358979323846;
 
 /// An angle given in degrees, in radians.
@@ -20,38 +21,44 @@ inline constexpr double pi = 3.14159265358979323846;
 
 /// A place in the plane.
 struct Point {
-    double x_m = 0.0;
-    double y_m = 0.0;
+    double x_m = 0.0;  ///< to the right
+    double y_m = 0.0;  ///< up
 };
 
 /// A place and the direction the body there looks in.
 struct Pose {
-    double x_m = 0.0;
-    double y_m = 0.0;
-    double heading_rad = 0.0;
+    double x_m = 0.0;          ///< to the right
+    double y_m = 0.0;          ///< up
+    double heading_rad = 0.0;  ///< 0 looks along +x, pi / 2 along +y
 };
 
 /// A unit vector: the cosine and sine of a heading, so that one heading costs one pair of calls.
 struct Direction {
-    double x = 1.0;
-    double y = 0.0;
+    double x = 1.0;  ///< cosine
+    double y = 0.0;  ///< sine
 };
 
+/// The same place, to the bit.
 [[nodiscard]] constexpr bool operator==(const Point& a, const Point& b) noexcept {
     return a.x_m == b.x_m && a.y_m == b.y_m;
 }
+/// Another place.
 [[nodiscard]] constexpr bool operator!=(const Point& a, const Point& b) noexcept { return !(a == b); }
 
+/// The same place and heading, to the bit: 0 and 2 pi are different.
 [[nodiscard]] constexpr bool operator==(const Pose& a, const Pose& b) noexcept {
     return a.x_m == b.x_m && a.y_m == b.y_m && a.heading_rad == b.heading_rad;
 }
+/// Another place or heading.
 [[nodiscard]] constexpr bool operator!=(const Pose& a, const Pose& b) noexcept { return !(a == b); }
 
 /// Where the pose is, without its heading.
 [[nodiscard]] constexpr Point position(const Pose& pose) noexcept { return {pose.x_m, pose.y_m}; }
 
+/// Whether no number is NaN or infinite.
 [[nodiscard]] inline bool is_finite(const Point& p) noexcept { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
 
+/// Whether no number is NaN or infinite.
 [[nodiscard]] inline bool is_finite(const Pose& p) noexcept {
     return is_finite(position(p)) && std::isfinite(p.heading_rad);
 }

@@ -20,52 +20,54 @@ enum class Starts { one, two, anywhere };
 /// backends and tasks call `validate` and keep a copy.
 struct PusherParams {
     // Arena: the square [-arena_half_side_m, arena_half_side_m]^2, frame of all poses.
-    double arena_half_side_m = 2.5;
-    double wall_friction = 0.2;  ///< coefficient; Box2D mixes two as sqrt(a b)
+    double arena_half_side_m = 2.5;  ///< half the length of a wall
+    double wall_friction = 0.2;      ///< coefficient; Box2D mixes two as sqrt(a b)
 
     // Robot.
-    RobotBody body{};
-    double robot_mass_kg = 9.0;
-    double max_speed_m_per_s = 0.4;
-    double max_turn_rad_per_s = from_degrees(60.0);
-    double max_force_n = 60.0;  ///< of the drive, also while it brakes
-    double max_torque_nm = 12.0;
+    RobotBody body{};                                ///< the outline
+    double robot_mass_kg = 9.0;                      ///< of the robot
+    double max_speed_m_per_s = 0.4;                  ///< of translations
+    double max_turn_rad_per_s = from_degrees(60.0);  ///< of turns on the spot
+    double max_force_n = 60.0;                       ///< of the drive, also while it brakes
+    double max_torque_nm = 12.0;                     ///< of the drive, about the robot's centre
 
     // Box, a square whose friction with the floor is a force of up to box_ground_friction * mass * g.
-    double box_side_m = 0.30;
-    double box_mass_kg = 2.0;
-    double box_ground_friction = 0.5;
+    double box_side_m = 0.30;           ///< length of a side
+    double box_mass_kg = 2.0;           ///< of the box
+    double box_ground_friction = 0.5;   ///< coefficient with the floor
     double box_contact_friction = 0.3;  ///< coefficient at its sides
     double box_torque_arm = 0.765;      ///< mean friction arm of a square, in half sides: a torque of mu m g 0.765 h
-    double gravity_m_per_s2 = 9.81;
+    double gravity_m_per_s2 = 9.81;     ///< of the earth
 
     // Safety of a translation. The guard's sonars look forward (or to the rear when it drives backwards), from the
     // body's outline outward at these angles from the way it drives.
-    bool guard = true;
+    bool guard = true;  ///< whether translations are guarded
+    /// From the way it drives.
     std::array<double, 3> guard_angles_rad{0.0, from_degrees(30.0), from_degrees(-30.0)};
     double guard_clearance_m = 0.06;  ///< stop where one of them reads this or less
-    bool fence = true;
-    double fence_radius_m = 1.3;  ///< stop where the next bit would lead farther than this from the box's centre
+    bool fence = true;                ///< whether translations keep within a circle around the box
+    double fence_radius_m = 1.3;      ///< stop where the next bit would lead farther than this from the box's centre
 
     // Box2D.
-    double time_step_s = 1.0 / 60.0;
-    int velocity_iterations = 8;
-    int position_iterations = 3;
+    double time_step_s = 1.0 / 60.0;    ///< of one step of the simulation
+    int velocity_iterations = 8;        ///< Box2D's, a time step
+    int position_iterations = 3;        ///< Box2D's, a time step
     double done_distance_m = 0.002;     ///< a translation is done when less is left
     double done_angle_rad = 0.003;      ///< a rotation is done when less is left
     double stall_speed_fraction = 0.1;  ///< slower than this part of the full speed ...
     int stall_steps = 12;               ///< ... for so many steps: stalled, the action ends
 
     // Actuator noise, normal, per action; all deviations are multiplied by `noise`. 0 = exact.
-    double noise = 1.0;
+    double noise = 1.0;                          ///< multiplies all deviations below
     double distance_noise = 0.05;                ///< of the distance
     double turn_noise = 0.05;                    ///< of the angle
     double drift_noise_rad = from_degrees(2.0);  ///< change of heading over one translation, whatever its length
 
     // Tasks.
-    Point box_place{0.0, 0.0};
-    Point goal_place{1.3, 0.0};
-    Starts starts = Starts::two;
+    Point box_place{0.0, 0.0};    ///< the box's centre in the tasks, arena frame
+    Point goal_place{1.3, 0.0};   ///< where the box is to go
+    Starts starts = Starts::two;  ///< which places 'approach' starts at
+    /// Of 'approach', before the jitter.
     std::array<Pose, 2> start_places{Pose{0.9, 0.5, pi}, Pose{0.2, -1.2, pi / 2.0}};
     double turn_start_radius_m = 0.85;  ///< 'turn' starts this far behind the box
     double start_jitter_m = 0.03;       ///< uniform, each coordinate, to both sides

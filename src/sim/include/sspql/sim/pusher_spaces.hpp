@@ -20,18 +20,19 @@ namespace sspql::sim {
 
 /// What the robot knows before a command, in the arena's frame. The learning study takes the true poses.
 struct PusherObservation {
-    Pose robot{};
-    Pose box{};
-    Point goal{};
+    Pose robot{};  ///< its centre and where it looks
+    Pose box{};    ///< its centre and the direction of its sides
+    Point goal{};  ///< where the box's centre is to go
 };
 
+/// What a command does: drive along the heading, or turn on the spot.
 enum class Motion { translate, rotate };
 
 /// One primitive action: metres (> 0 forward) or radians (> 0 to the left). A translation may be a curve.
 struct PusherCommand {
-    Motion motion = Motion::translate;
-    double amount = 0.0;
-    double curve_rad = 0.0;  ///< change of heading over a translation; rotations ignore it
+    Motion motion = Motion::translate;  ///< drive or turn
+    double amount = 0.0;                ///< metres or radians
+    double curve_rad = 0.0;             ///< change of heading over a translation; rotations ignore it
 };
 
 /// eq. (10) of an observation: the robot in the box frame.
@@ -44,12 +45,15 @@ struct PusherCommand {
 /// `encode` throws std::invalid_argument for numbers that are not finite, or a goal in the box's centre.
 class ApproachState {
 public:
+    /// The number of states, 432.
     [[nodiscard]] static constexpr std::size_t size() noexcept { return box_states; }
 
+    /// The cell of an observation.
     [[nodiscard]] static StateId encode(const PusherObservation& observation) {
         return box_state(box_cell(to_box_frame(observation)));
     }
 
+    /// See describe_box_state. \throws std::invalid_argument for an id of 432 or more.
     [[nodiscard]] static std::string describe(StateId s) { return describe_box_state(s); }
 };
 
@@ -57,8 +61,10 @@ public:
 /// `encode` throws std::invalid_argument for numbers that are not finite, or a goal in the box's centre.
 class TurnState {
 public:
+    /// The number of states, 12.
     [[nodiscard]] static constexpr std::size_t size() noexcept { return heading_bins; }
 
+    /// The heading bin of an observation.
     [[nodiscard]] static StateId encode(const PusherObservation& observation) {
         return state_id(thirty_degree_bin(to_box_frame(observation).heading_rad));
     }
@@ -82,10 +88,13 @@ struct NamedCommand {
 /// `decode` and `describe` throw std::invalid_argument for an action outside.
 class ApproachActions {
 public:
+    /// The number of actions, 4.
     [[nodiscard]] static constexpr std::size_t size() noexcept { return actions.size(); }
 
+    /// The action's command.
     [[nodiscard]] static PusherCommand decode(ActionId a) { return at(a).command; }
 
+    /// The action in words.
     [[nodiscard]] static std::string describe(ActionId a) { return at(a).text; }
 
 private:
@@ -104,10 +113,13 @@ private:
 /// `decode` and `describe` throw std::invalid_argument for an action outside.
 class TurnActions {
 public:
+    /// The number of actions, 2.
     [[nodiscard]] static constexpr std::size_t size() noexcept { return actions.size(); }
 
+    /// The action's command.
     [[nodiscard]] static PusherCommand decode(ActionId a) { return at(a).command; }
 
+    /// The action in words.
     [[nodiscard]] static std::string describe(ActionId a) { return at(a).text; }
 
 private:

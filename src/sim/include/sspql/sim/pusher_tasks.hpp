@@ -26,15 +26,18 @@ namespace sspql::sim {
 /// whatever the command and whatever came of the last one, so that runs with different outcomes stay comparable.
 class NoisyActuator {
 public:
+    /// The errors of these parameters, `noise` times each deviation. Precondition: valid parameters.
     explicit NoisyActuator(const PusherParams& params) noexcept
         : distance_noise_(params.noise * params.distance_noise),
           turn_noise_(params.noise * params.turn_noise),
           drift_noise_rad_(params.noise * params.drift_noise_rad) {}
 
+    /// Begins the sequence of errors of this seed.
     void reset(std::uint64_t seed) noexcept { random_ = Random(seed, RandomStream::noise); }
 
     /// Executes the command on the backend with its errors: an amount of (1 + e) times what was asked, never the other
-    /// way round, and on a translation a drift of the heading beside the curve. \throws std::invalid_argument for an amount not finite.
+    /// way round, and on a translation a drift of the heading beside the curve.
+    /// \throws std::invalid_argument for an amount or a curve that is not finite.
     template <class Backend>
     Move execute(Backend& backend, const PusherCommand& command) {
         require_finite("command amount", command.amount);
@@ -62,13 +65,17 @@ class PusherTask {
     static_assert(is_pusher_backend_v<Backend>, "sspql: this is no PusherBackend, see sspql/sim/backend.hpp");
 
 public:
+    /// What is seen now: the true poses.
     [[nodiscard]] PusherObservation observe() const { return {backend_.robot(), backend_.box(), backend_.goal()}; }
 
     /// How the last step's move went: how far, and what stopped it.
     [[nodiscard]] const Move& last_move() const noexcept { return last_move_; }
 
+    /// The world, to look at it or to disturb it.
     [[nodiscard]] Backend& backend() noexcept { return backend_; }
+    /// The world, to look at it.
     [[nodiscard]] const Backend& backend() const noexcept { return backend_; }
+    /// As given.
     [[nodiscard]] const PusherParams& params() const noexcept { return backend_.params(); }
 
 protected:
@@ -112,9 +119,11 @@ private:
 template <class Backend>
 class ApproachTask : public PusherTask<Backend> {
 public:
+    /// Takes a copy.
     /// \throws std::invalid_argument for parameters out of range (a negative noise, a box outside the arena ...).
     explicit ApproachTask(const PusherParams& params = {}) : PusherTask<Backend>(params) {}
 
+    /// Starts an episode.
     /// \throws std::invalid_argument if the start places overlap the box or lie in the goal sector, jitter included.
     PusherObservation reset(std::uint64_t seed) {
         const PusherParams& p = this->params();
@@ -135,7 +144,7 @@ public:
         throw std::invalid_argument("start places must not all lie in the goal sector behind the box");
     }
 
-    /// \throws std::invalid_argument for an amount that is not finite.
+    /// Carries the command out, with its errors. \throws std::invalid_argument for an amount that is not finite.
     Step<PusherObservation> step(const PusherCommand& command) {
         this->move(command);
         const PusherObservation observation = this->observe();
@@ -170,10 +179,10 @@ private:
 template <class Backend>
 class TurnTask : public PusherTask<Backend> {
 public:
-    /// \throws std::invalid_argument for parameters out of range.
+    /// Takes a copy. \throws std::invalid_argument for parameters out of range.
     explicit TurnTask(const PusherParams& params = {}) : PusherTask<Backend>(params) {}
 
-    /// \throws std::invalid_argument if the start overlaps the box or a wall.
+    /// Starts an episode. \throws std::invalid_argument if the start overlaps the box or a wall.
     PusherObservation reset(std::uint64_t seed) {
         const PusherParams& p = this->params();
         Random random(seed, RandomStream::environment);
@@ -189,7 +198,7 @@ public:
         }
     }
 
-    /// \throws std::invalid_argument for an amount that is not finite.
+    /// Carries the command out, with its errors. \throws std::invalid_argument for an amount that is not finite.
     Step<PusherObservation> step(const PusherCommand& command) {
         this->move(command);
         const PusherObservation observation = this->observe();

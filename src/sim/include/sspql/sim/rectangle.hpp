@@ -16,10 +16,10 @@ namespace sspql::sim {
 
 /// A rectangle centred on a pose, its length along the heading.
 struct Rectangle {
-    Point centre{};
-    Direction axis{};
-    double half_length_m = 0.20;
-    double half_width_m = 0.172;
+    Point centre{};               ///< in the arena's frame
+    Direction axis{};             ///< where its length points
+    double half_length_m = 0.20;  ///< along the axis
+    double half_width_m = 0.172;  ///< across it
 };
 
 /// The square as a rectangle.

@@ -16,12 +16,12 @@ enum class BodyShape { circle, rectangle };
 
 /// The robot's outline, centred on its pose. Backends, guard and sensors ask only the functions below.
 struct RobotBody {
-    double radius_m = 0.20;  ///< of the circle
-    BodyShape shape = BodyShape::circle;
-    double length_m = 0.40;  ///< of the rectangle, along the heading
-    double width_m = 0.344;  ///< of the rectangle
+    double radius_m = 0.20;               ///< of the circle
+    BodyShape shape = BodyShape::circle;  ///< which of the two
+    double length_m = 0.40;               ///< of the rectangle, along the heading
+    double width_m = 0.344;               ///< of the rectangle
 
-    /// \throws std::invalid_argument unless the lengths are finite and > 0.
+    /// Checks every length. \throws std::invalid_argument unless the lengths are finite and > 0.
     void validate() const {
         require_positive("robot radius_m", radius_m);
         require_positive("robot length_m", length_m);

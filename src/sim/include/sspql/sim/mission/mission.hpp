@@ -26,9 +26,8 @@ namespace sspql::sim {
 /// The learnt ones are agents over observations and commands, anything run_episode takes: begin(PusherObservation) ->
 /// PusherCommand, step(reward, observation) -> command, end(reward, observation, terminated), abort(). The mission
 /// gives them an episode each time, whose observations are what the robot believes: reward 1 and terminated behind the
-/// box
-/// ('turn': looking along its way), a cut episode when the time is up or the box is lost. They go on learning or not,
-/// as they like.
+/// box ('turn': looking along its way), a cut episode when the time is up or the box is lost. They go on learning or
+/// not, as they like.
 ///
 /// After a push the robot backs off and looks: from there a goal with the box in it shows at least one of its sides. A
 /// push that failed, or did not deliver, is followed by another attempt; if the goal was not seen, by a search for it.
@@ -41,7 +40,7 @@ class Mission {
     static_assert(is_pusher_backend_v<Backend>, "sspql: this is no PusherBackend, see sspql/sim/backend.hpp");
 
 public:
-    /// \throws std::invalid_argument for parameters out of range.
+    /// Takes copies of all numbers. \throws std::invalid_argument for parameters out of range.
     explicit Mission(const PusherParams& world = {}, const SensorParams& sensors = {}, const MissionParams& rules = {})
         : rules_((rules.validate(), rules)),
           fence_radius_m_(world.fence_radius_m),
@@ -80,7 +79,9 @@ public:
         return result_;
     }
 
+    /// The world, as the last action left it.
     [[nodiscard]] const Backend& backend() const noexcept { return backend_; }
+    /// The robot's sensors.
     [[nodiscard]] const SensorSuite& sensors() const noexcept { return sensors_; }
 
 private:

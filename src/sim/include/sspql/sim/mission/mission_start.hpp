@@ -16,9 +16,9 @@ namespace sspql::sim {
 
 /// Where robot, box and goal are when a mission begins, in the arena's frame.
 struct MissionStart {
-    Pose robot{};
-    Pose box{};
-    Point goal{};
+    Pose robot{};  ///< its centre and where it looks
+    Pose box{};    ///< its centre and the direction of its sides
+    Point goal{};  ///< where the box's centre is to go
 };
 
 /// How near to the walls and to each other things may be put.
@@ -40,6 +40,7 @@ namespace detail {
 
 }  // namespace detail
 
+/// Refuses a goal that no box can be pushed to.
 /// \throws std::invalid_argument "the goal at (x, y) ..." if a box in its middle would reach into a wall.
 inline void require_goal_place(const PusherParams& params, const Point& goal) {
     if (!is_finite(goal)) detail::refuse_place("goal", goal, "must be finite");
@@ -50,7 +51,7 @@ inline void require_goal_place(const PusherParams& params, const Point& goal) {
     }
 }
 
-/// \throws std::invalid_argument "the box at (x, y) ..." if it may reach into a wall.
+/// Refuses a place where no box can stand. \throws std::invalid_argument "the box at (x, y) ..." if it may reach into a wall.
 inline void require_box_place(const PusherParams& params, const Point& box) {
     if (!is_finite(box)) detail::refuse_place("box", box, "must be finite");
     if (circle_wall_gap(box, params.box_side_m * 0.7072, params.arena_half_side_m) < 0.0) {
@@ -64,12 +65,13 @@ inline void require_box_place(const PusherParams& params, const Point& box) {
     return ahead(box, {(box.x_m - goal.x_m) / away, (box.y_m - goal.y_m) / away}, rules.push_place_m);
 }
 
-/// Whether it has room there.
+/// Whether it has room there: at the push_place.
 [[nodiscard]] inline bool has_push_place(const PusherParams& params, const Point& box, const Point& goal,
                                          const StartRules& rules = {}) noexcept {
     return circle_wall_gap(push_place(box, goal, rules), reach_m(params.body), params.arena_half_side_m) >= 0.0;
 }
 
+/// Refuses a box that cannot stand there or cannot be pushed to the goal.
 /// \throws std::invalid_argument as the two above do, or "the box at (x, y) ..." if there is no room for the robot to
 /// stand behind it and push it towards the goal.
 inline void require_pushable(const PusherParams& params, const Point& box, const Point& goal,

@@ -12,8 +12,10 @@ namespace sspql::sim {
 /// The four sub-tasks of section 4.1, in the order in which they follow each other.
 enum class SubTask { search, approach, turn, push };
 
+/// How many sub-tasks there are.
 inline constexpr std::size_t sub_tasks = 4;
 
+/// "search", "approach", "turn" or "push".
 [[nodiscard]] constexpr std::string_view name_of(SubTask task) noexcept {
     constexpr std::array<std::string_view, sub_tasks> names{"search", "approach", "turn", "push"};
     return names[static_cast<std::size_t>(task)];
@@ -34,8 +36,10 @@ enum class Outcome {
     goal_not_seen      ///< ... where the goal should be seen around it, and is not
 };
 
+/// How many outcomes there are.
 inline constexpr std::size_t outcomes = 11;
 
+/// An outcome in words, such as "turn: not aligned in time".
 [[nodiscard]] constexpr std::string_view text_of(Outcome outcome) noexcept {
     constexpr std::array<std::string_view, outcomes> texts{"success",
                                                            "search: box or goal not found in time",
@@ -56,15 +60,15 @@ enum class Sensing { sensors, truth };
 
 /// Limits and rules of a mission.
 struct MissionParams {
-    Sensing sensing = Sensing::sensors;
-    double goal_radius_m = 0.30;  ///< delivered when the box's centre lies in this disc
-    int pushes = 9;               ///< the first attempt and 8 more; an attempt is search, approach, turn, push
-    int search_actions = 80;
-    int approach_actions = 600;
-    int turn_actions = 60;
-    int push_actions = 250;
+    Sensing sensing = Sensing::sensors;  ///< what the robot goes by
+    double goal_radius_m = 0.30;         ///< delivered when the box's centre lies in this disc
+    int pushes = 9;                      ///< the first attempt and 8 more; an attempt is search, approach, turn, push
+    int search_actions = 80;             ///< at most, an attempt
+    int approach_actions = 600;          ///< at most, an attempt
+    int turn_actions = 60;               ///< at most, an attempt
+    int push_actions = 250;              ///< at most, an attempt
 
-    /// \throws std::invalid_argument naming the first member out of range.
+    /// Checks every member. \throws std::invalid_argument naming the first member out of range.
     void validate() const {
         require_positive("goal_radius_m", goal_radius_m);
         for (const int limit : {pushes, search_actions, approach_actions, turn_actions, push_actions}) {
@@ -75,9 +79,9 @@ struct MissionParams {
 
 /// One sub-task over a mission.
 struct SubTaskTally {
-    int attempts = 0;
-    int successes = 0;
-    int actions = 0;
+    int attempts = 0;   ///< how often it was begun
+    int successes = 0;  ///< how often it succeeded
+    int actions = 0;    ///< commands carried out
 };
 
 /// How a mission went.
@@ -87,11 +91,14 @@ struct MissionResult {
     bool believed = false;           ///< what the robot thinks
     bool cornered = false;           ///< the truth: not in the goal, and the robot has no room behind the box
     Outcome end = Outcome::success;  ///< of the last attempt; not success: the robot gave up
+    /// By SubTask.
     std::array<SubTaskTally, sub_tasks> tasks{};
     std::array<int, outcomes> ends{};  ///< of all attempts, by Outcome
     double driven_s = 0.0;             ///< all moves at full speed
 
+    /// The tally of a sub-task.
     [[nodiscard]] SubTaskTally& of(SubTask task) noexcept { return tasks[static_cast<std::size_t>(task)]; }
+    /// The tally of a sub-task.
     [[nodiscard]] const SubTaskTally& of(SubTask task) const noexcept { return tasks[static_cast<std::size_t>(task)]; }
 };
 

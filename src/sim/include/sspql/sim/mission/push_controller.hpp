@@ -15,7 +15,7 @@ namespace sspql::sim {
 
 /// What the push wants: another command, or it is over.
 struct PushStep {
-    bool over = false;
+    bool over = false;                   ///< whether the push has ended
     Outcome outcome = Outcome::success;  ///< if over
     PusherCommand command{};             ///< if not
 };
@@ -35,9 +35,11 @@ struct PushStep {
 /// O(1) per call. A value; one object per thread.
 class PushController {
 public:
+    /// The controller for this robot and this box. Precondition: valid parameters.
     explicit PushController(const PusherParams& params = {})
         : touch_m_(outline_m(params.body, 0.0) + params.box_side_m / 2.0) {}
 
+    /// A push begins. Precondition: the belief is complete.
     void begin(const Belief& belief) noexcept {
         idle_ = 0;
         running_up_ = true;

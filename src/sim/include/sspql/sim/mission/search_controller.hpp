@@ -21,6 +21,7 @@ namespace sspql::sim {
 /// no allocation, O(16) per call. A value; one object per thread.
 class SearchController {
 public:
+    /// A search begins.
     void begin() noexcept {
         turned_ = 0;
         leg_m_ = 0.0;
@@ -41,9 +42,9 @@ public:
         return start_leg(belief, sonars);
     }
 
-    static constexpr double near_m = 1.15;
-    static constexpr int full_turn = 8;
-    static constexpr double longest_leg_m = 0.8;
+    static constexpr double near_m = 1.15;        ///< from the robot's centre to the box's: the box is near
+    static constexpr int full_turn = 8;           ///< looks, 45 degrees apart
+    static constexpr double longest_leg_m = 0.8;  ///< travelled between two turns, at most
 
 private:
     [[nodiscard]] std::optional<PusherCommand> come_near(const Belief& belief) const noexcept {

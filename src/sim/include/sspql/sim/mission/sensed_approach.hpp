@@ -22,11 +22,11 @@ namespace sspql::sim {
 template <class Backend>
 class SensedApproachTask {
 public:
-    /// \throws std::invalid_argument for parameters out of range.
+    /// Takes copies of all numbers. \throws std::invalid_argument for parameters out of range.
     explicit SensedApproachTask(const PusherParams& params = {}, const SensorParams& sensors = {})
         : task_(params), sensors_(sensors), belief_(sensors, params.box_side_m) {}
 
-    /// \throws std::invalid_argument as ApproachTask::reset does.
+    /// Starts an episode. \throws std::invalid_argument as ApproachTask::reset does.
     PusherObservation reset(std::uint64_t seed) {
         observation_ = task_.reset(seed);
         sensors_.reset(seed);
@@ -34,7 +34,7 @@ public:
         return observation_;
     }
 
-    /// \throws std::invalid_argument for an amount that is not finite.
+    /// Carries the command out, with its errors. \throws std::invalid_argument for an amount that is not finite.
     Step<PusherObservation> step(const PusherCommand& command) {
         const Pose before = task_.backend().robot();
         task_.step(command);
@@ -45,7 +45,9 @@ public:
         return {observation_, arrived ? 1.0 : 0.0, arrived, false};
     }
 
+    /// The task as it truly is.
     [[nodiscard]] const ApproachTask<Backend>& task() const noexcept { return task_; }
+    /// What the robot believes.
     [[nodiscard]] const Belief& belief() const noexcept { return belief_; }
 
 private:

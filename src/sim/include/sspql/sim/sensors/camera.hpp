@@ -14,14 +14,15 @@ namespace sspql::sim {
 
 /// What the camera tells of a thing in view: where to, in the robot's frame, and of the goal how far, by its size.
 struct Sighting {
-    double bearing_rad = 0.0;
-    double range_m = 0.0;  ///< goal only; 0 for the box
-    bool whole = true;     ///< false: only a part of the goal's edge, with twice the errors
+    double bearing_rad = 0.0;  ///< robot frame, > 0 to the left
+    double range_m = 0.0;      ///< goal only; 0 for the box
+    bool whole = true;         ///< false: only a part of the goal's edge, with twice the errors
 };
 
+/// What the camera tells at one moment.
 struct CameraView {
-    std::optional<Sighting> box{};
-    std::optional<Sighting> goal{};
+    std::optional<Sighting> box{};   ///< if in view
+    std::optional<Sighting> goal{};  ///< if in view, or a part of it
 };
 
 /// One camera on the robot's centre, looking ahead. A thing is in view if the bearing of its centre lies within half
@@ -32,13 +33,14 @@ struct CameraView {
 /// `look` is O(1), never allocates and always takes three normal draws. One object may serve several threads.
 class Camera {
 public:
-    /// \throws std::invalid_argument for parameters out of range.
+    /// A camera of this sight and these errors. \throws std::invalid_argument for parameters out of range.
     explicit Camera(const SensorParams& params = {})
         : half_field_rad_((params.validate(), 0.5 * params.camera_field_rad)),
           bearing_noise_rad_(params.noise * params.bearing_noise_rad),
           range_noise_(params.noise * params.goal_range_noise),
           goal_radius_m_(params.goal_radius_m) {}
 
+    /// What is in view, with the errors of this look.
     [[nodiscard]] CameraView look(const Scene& scene, Random& random) const {
         const double box_error = random.normal();
         const double goal_error = random.normal();
@@ -57,6 +59,7 @@ public:
         return view;
     }
 
+    /// Whether the box is in view.
     [[nodiscard]] bool sees_box(const Scene& scene) const noexcept {
         const Point& box = scene.box.centre;
         const double side = scene.arena_half_side_m;

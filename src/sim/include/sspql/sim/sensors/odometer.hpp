@@ -12,7 +12,7 @@ namespace sspql::sim {
 /// A movement as the wheels tell it: so far along the mean heading, then turned by so much.
 struct Travel {
     double distance_m = 0.0;  ///< < 0 backwards
-    double turn_rad = 0.0;
+    double turn_rad = 0.0;    ///< change of heading, > 0 to the left
 };
 
 /// The travel that leads from one pose to another. Sliding sideways is lost: wheels do not feel it.
@@ -31,11 +31,12 @@ struct Travel {
 /// Wheel encoders: distance and turn of each action, with errors in proportion. `read` is O(1), takes two normal draws.
 class Odometer {
 public:
-    /// \throws std::invalid_argument for parameters out of range.
+    /// An odometer of these errors. \throws std::invalid_argument for parameters out of range.
     explicit Odometer(const SensorParams& params = {})
         : distance_noise_((params.validate(), params.noise * params.odometry_distance_noise)),
           turn_noise_(params.noise * params.odometry_turn_noise) {}
 
+    /// The travel between two poses as the wheels tell it.
     [[nodiscard]] Travel read(const Pose& before, const Pose& after, Random& random) const {
         const double distance_error = random.normal();
         const double turn_error = random.normal();

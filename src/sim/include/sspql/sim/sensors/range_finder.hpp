@@ -20,10 +20,12 @@ namespace sspql::sim {
 /// `read` is O(91), never allocates and always takes 91 normal draws. One object may serve several threads.
 class RangeFinder {
 public:
+    /// How many beams there are.
     static constexpr std::size_t count = 91;
+    /// Metres by beam.
     using Readings = std::array<double, count>;
 
-    /// \throws std::invalid_argument for parameters out of range.
+    /// A range finder of this field, reach and error. \throws std::invalid_argument for parameters out of range.
     explicit RangeFinder(const SensorParams& params = {})
         : noise_m_((params.validate(), params.noise * params.scan_noise_m)),
           range_m_(params.scan_range_m),

@@ -16,12 +16,12 @@ namespace sspql::sim {
 
 /// Robot, box, goal and walls, in the arena's frame.
 struct Scene {
-    Pose robot{};
-    Square box{};
-    double box_heading_rad = 0.0;
-    Point goal{};
-    RobotBody body{};
-    double arena_half_side_m = 2.5;
+    Pose robot{};                    ///< its centre and where it looks
+    Square box{};                    ///< the box
+    double box_heading_rad = 0.0;    ///< the direction of the box's sides, as an angle
+    Point goal{};                    ///< its centre
+    RobotBody body{};                ///< the robot's outline
+    double arena_half_side_m = 2.5;  ///< half the length of a wall
 };
 
 /// The scene of a backend that stands still.

@@ -16,9 +16,9 @@ namespace sspql::sim {
 
 /// What all sensors say at one moment.
 struct SensorReadings {
-    SonarRing::Readings sonars{};
-    RangeFinder::Readings ranges{};
-    CameraView view{};
+    SonarRing::Readings sonars{};    ///< metres, by sonar
+    RangeFinder::Readings ranges{};  ///< metres, by beam of the range finder
+    CameraView view{};               ///< what the camera sees
 };
 
 /// The robot's sensors with one random stream. Every look takes the same number of draws whatever is in view, and so
@@ -27,12 +27,14 @@ class SensorSuite {
 public:
     static constexpr std::uint64_t random_stream = 4;  ///< beside those of RandomStream
 
-    /// \throws std::invalid_argument for parameters out of range.
+    /// All sensors with these numbers. \throws std::invalid_argument for parameters out of range.
     explicit SensorSuite(const SensorParams& params = {})
         : params_(params), sonars_(params), finder_(params), camera_(params), odometer_(params) {}
 
+    /// Begins the sequence of errors of this seed.
     void reset(std::uint64_t seed) noexcept { random_ = Random(seed, random_stream); }
 
+    /// What all sensors say of a scene. 110 normal draws.
     [[nodiscard]] SensorReadings look(const Scene& scene) {
         SensorReadings readings;
         readings.sonars = sonars_.read(scene, random_);
@@ -41,12 +43,16 @@ public:
         return readings;
     }
 
+    /// What the odometer says of a movement. Two normal draws.
     [[nodiscard]] Travel travelled(const Pose& before, const Pose& after) {
         return odometer_.read(before, after, random_);
     }
 
+    /// As given.
     [[nodiscard]] const SensorParams& params() const noexcept { return params_; }
+    /// The range finder, which knows its beams' bearings.
     [[nodiscard]] const RangeFinder& range_finder() const noexcept { return finder_; }
+    /// The camera.
     [[nodiscard]] const Camera& camera() const noexcept { return camera_; }
 
 private:

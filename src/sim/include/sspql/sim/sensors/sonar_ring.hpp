@@ -18,10 +18,12 @@ namespace sspql::sim {
 /// `read` is O(16), never allocates and always takes 16 normal draws. One object may serve several threads.
 class SonarRing {
 public:
+    /// How many sonars there are.
     static constexpr std::size_t count = 16;
+    /// Metres by sonar.
     using Readings = std::array<double, count>;
 
-    /// \throws std::invalid_argument for parameters out of range.
+    /// Sonars of this reach and error. \throws std::invalid_argument for parameters out of range.
     explicit SonarRing(const SensorParams& params = {})
         : noise_m_((params.validate(), params.noise * params.sonar_noise_m)), range_m_(params.sonar_range_m) {}
 
