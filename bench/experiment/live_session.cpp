@@ -43,6 +43,7 @@ std::optional<LiveCommand> command_of(char32_t character) noexcept {
 
 std::vector<std::string> Pace::names() {
     std::vector<std::string> names;
+    names.reserve(rates.size());
     for (const int rate : rates) names.push_back(name_of(rate));
     return names;
 }
@@ -124,15 +125,16 @@ void LiveSession::pass(double seconds, const std::function<bool()>& go_on) {
     }
 }
 
-bool LiveSession::is_under_way() const {
-    if (!run_.next()) return true;
-    return run_.last() && !paused_ && !pace_.is_unlimited() && pace_.per_second() <= fastest_motion;
+bool LiveSession::is_followable() const noexcept {
+    return paused_ || (!pace_.is_unlimited() && pace_.per_second() <= fastest_motion);
 }
+
+bool LiveSession::is_under_way() const { return !run_.next() || (run_.last() && !paused_ && is_followable()); }
 
 sim::Pose LiveSession::shown_robot() const {
     const std::vector<sim::Pose>& trail = run_.trail();
     const sim::Pose& there = trail.back();
-    const bool moving = !paused_ && !run_.is_over() && !pace_.is_unlimited() && pace_.per_second() <= fastest_motion;
+    const bool moving = !paused_ && !run_.is_over() && is_followable();
     if (!moving || trail.size() < 2) return there;
     const sim::Pose& from = trail[trail.size() - 2];
     const double part = std::min(1.0, pace_.phase());

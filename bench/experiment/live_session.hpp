@@ -83,6 +83,9 @@ public:
     /// The last run of each other learner with this seed, as far as it had an episode behind it; the latest is last.
     [[nodiscard]] const std::vector<PastRun>& past() const noexcept { return past_; }
 
+    /// Whether an eye can follow each action: paused, or slow.
+    [[nodiscard]] bool is_followable() const noexcept;
+
     /// Where the robot is seen: at slow paces on its way between the last two poses, else where it is.
     [[nodiscard]] sim::Pose shown_robot() const;
 
