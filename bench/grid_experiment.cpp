@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,6 +20,7 @@
 #include <sspql/env/table_csv.hpp>
 #include <sspql/env/tabular_environment.hpp>
 #include <sspql/env/windy.hpp>
+#include <sspql/io/crc32.hpp>
 #include <sspql/learn/exact_steps.hpp>
 #include <sspql/learn/exact_values.hpp>
 #include <sspql/run/parallel.hpp>
@@ -29,14 +29,11 @@
 
 #include "experiment/learner_catalog.hpp"
 #include "experiment/options.hpp"
+#include "experiment/parts.hpp"
 #include "experiment/runner.hpp"
-#include "report/csv_report.hpp"
-#include "report/grid_report.hpp"
-#include "report/json_report.hpp"
+#include "report/findings.hpp"
 #include "report/numbers.hpp"
-#include "report/output_file.hpp"
 #include "report/progress.hpp"
-#include "report/table_text.hpp"
 
 namespace {
 
@@ -50,6 +47,7 @@ struct GridOptions : CommonOptions {
     std::string noise_kind = "other";
     std::int64_t total_steps = 0;
     std::string report_at;
+    ShardOptions shards;
 
     GridOptions() {
         learners = "q-bonus,ps-bonus,sspql-bonus";
@@ -281,6 +279,7 @@ bool parse(GridOptions& options, int argc, char** argv) {
     parser.whole("--total-steps", options.total_steps, 0, 1000000000, "Run for N steps instead of --episodes; 0 = no");
     parser.text("--report-at", options.report_at, "Note the reward collected after these steps, as 1000,3000");
     parser.common(options);
+    parser.shards(options.shards);
     std::string learners;
     for (const std::string& name : learner_names()) learners += " " + name;
     parser.footer("Maps: " + names + "; in a file: . free, # wall, G goal, S start, H hazard\nLearners:" + learners +
@@ -289,58 +288,103 @@ bool parse(GridOptions& options, int argc, char** argv) {
     return parser.parse(argc, argv);
 }
 
-int body(int argc, char** argv) {
+/// Of the world as it is, not of its file: line ends and comments do not count.
+std::uint32_t checksum_of(const Phase& phase) {
+    detail::Crc32 crc;
+    const auto add = [&](const auto& value) { crc.add(&value, sizeof value); };
+    const auto add_table = [&](const TransitionTable& table) {
+        for (std::size_t i = 0; i < table.states() * table.actions(); ++i) {
+            const StateId s = state_id(i / table.actions());
+            for (const Outcome& outcome : table.outcomes(s, action_id(i % table.actions()))) {
+                add(i);
+                add(index(outcome.next));
+                add(outcome.probability);
+                add(outcome.reward);
+                add(outcome.terminal);
+            }
+        }
+        for (const StateId s : table.starts()) add(index(s));
+    };
+    add(phase.states());
+    if (phase.table) add_table(*phase.table);
+    return crc.value();
+}
+
+/// A run of every learner with every seed through all phases.
+struct Experiment {
     GridOptions options;
-    if (!parse(options, argc, argv)) return 0;
-    const std::vector<LearnerRecipe> recipes = learner_recipes(options.learners, options.set);
-    const std::vector<Phase> phases = phases_of(options);
-    for (const std::string* path : {&options.json, &options.html, &options.csv}) {
-        if (!path->empty()) report::require_writable(*path);
+    std::vector<LearnerRecipe> recipes;
+    std::vector<Phase> phases;
+    Parts parts;
+
+    /// \throws std::exception for anything wrong with the options.
+    void prepare(const Ranks& ranks, int argc, char** argv) {
+        recipes = learner_recipes(options.learners, options.set);
+        phases = phases_of(options);
+        parts = parts_of("grid_experiment", options.shards, options.files, ranks, argc, argv);
     }
 
-    report::ExperimentResults results;
-    results.experiment = "grid_experiment";
-    results.settings = settings_of(options, recipes);
-    results.manifest = {command_line(argc, argv), SSPQL_VERSION, compiler_name()};
-    const auto seeds = static_cast<std::size_t>(options.seeds);
-    Pictures pictures(options.table.empty() ? phases.size() : 0);
-    for (const Phase& phase : phases) {
-        report::PhaseRuns runs;
-        runs.name = phase.name;
-        if (phase.table) {
-            runs.optimal_steps = optimal_steps(*phase.table);
-            runs.optimal_return = optimal_return(*phase.table);
+    [[nodiscard]] report::GridFindings blank(int argc, char** argv) const {
+        report::GridFindings findings;
+        report::ExperimentResults& results = findings.results;
+        results.experiment = "grid_experiment";
+        results.settings = settings_of(options, recipes);
+        results.manifest = {command_line(argc, argv), SSPQL_VERSION, compiler_name()};
+        for (const Phase& phase : phases) {
+            report::PhaseRuns runs;
+            runs.name = phase.name;
+            if (phase.table) {
+                runs.optimal_steps = optimal_steps(*phase.table);
+                runs.optimal_return = optimal_return(*phase.table);
+            }
+            runs.report_at = phase.report_at;
+            for (const LearnerRecipe& recipe : recipes) {
+                runs.learners.push_back(
+                    {recipe.name(), std::vector<report::SeedRun>(static_cast<std::size_t>(options.seeds))});
+            }
+            results.phases.push_back(std::move(runs));
+            findings.checksums.push_back(checksum_of(phase));
         }
-        runs.report_at = phase.report_at;
-        for (const LearnerRecipe& recipe : recipes) {
-            runs.learners.push_back({recipe.name(), std::vector<report::SeedRun>(seeds)});
+        findings.pictures.resize(options.table.empty() ? phases.size() : 0);
+        for (std::size_t p = 0; p < findings.pictures.size(); ++p) {
+            const bool drawn = !std::holds_alternative<TabularEnvironment>(phases[p].world);
+            findings.pictures[p].learners.resize(drawn ? recipes.size() : 0);
+            findings.pictures[p].caption = "Seed 1 at the end of the phase.";
         }
-        results.phases.push_back(std::move(runs));
+        return findings;
     }
-    for (std::size_t p = 0; p < pictures.size(); ++p) {
-        const bool drawn = !std::holds_alternative<TabularEnvironment>(phases[p].world);
-        pictures[p].learners.resize(drawn ? recipes.size() : 0);
-        pictures[p].caption = "Seed 1 at the end of the phase.";
-    }
-    {
-        report::Progress progress("grid_experiment", recipes.size() * seeds);
-        parallel_for(recipes.size() * seeds, static_cast<std::size_t>(options.threads), [&](std::size_t i) {
+
+    void run(const shards::Shard& shard, const Ranks& ranks, report::GridFindings& findings) const {
+        const std::size_t count = recipes.size() * shard.share(static_cast<std::size_t>(options.seeds));
+        report::Progress progress("grid_experiment", count, "runs", ranks.progress_descriptor());
+        parallel_for(count, ranks.threads(static_cast<std::size_t>(options.threads)), [&](std::size_t i) {
             const std::size_t learner = i % recipes.size();
-            const std::size_t k = i / recipes.size();
-            std::vector<report::SeedRun> runs =
-                run_chain(phases, options, recipes[learner], k + 1, learner, k == 0 ? &pictures : nullptr);
-            for (std::size_t p = 0; p < runs.size(); ++p) results.phases[p].learners[learner].runs[k] = std::move(runs[p]);
+            const std::size_t k = shard.unit(i / recipes.size());
+            std::vector<report::SeedRun> runs = run_chain(phases, options, recipes[learner], k + 1, learner,
+                                                          k == 0 ? &findings.pictures : nullptr);
+            for (std::size_t p = 0; p < runs.size(); ++p) {
+                findings.results.phases[p].learners[learner].runs[k] = std::move(runs[p]);
+            }
             progress.advance();
         });
     }
+};
 
-    std::cout << report::table_text(results) << std::flush;
-    if (!options.json.empty()) report::write_file(options.json, report::json_report(results));
-    if (!options.csv.empty()) report::write_file(options.csv, report::csv_report(results));
-    if (!options.html.empty()) report::write_file(options.html, report::grid_report(results, pictures));
-    return std::cout.good() ? 0 : 2;
+int body(int argc, char** argv, const Ranks& ranks) {
+    Experiment experiment;
+    report::GridFindings blank;
+    bool wanted = false;
+    ranks.together([&] {
+        wanted = parse(experiment.options, argc, argv);
+        if (!wanted) return;
+        experiment.prepare(ranks, argc, argv);
+        blank = experiment.blank(argc, argv);
+    });
+    if (!wanted) return 0;
+    return run_parts(experiment.parts, ranks, std::move(blank),
+                     [&](const shards::Shard& shard, auto& findings) { experiment.run(shard, ranks, findings); });
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return sspql::experiment::run_program("grid_experiment", body, argc, argv); }
+int main(int argc, char** argv) { return sspql::experiment::run_on_ranks("grid_experiment", body, argc, argv); }

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,14 +19,11 @@
 
 #include "experiment/learner_catalog.hpp"
 #include "experiment/options.hpp"
+#include "experiment/parts.hpp"
 #include "experiment/runner.hpp"
-#include "report/csv_report.hpp"
-#include "report/json_report.hpp"
+#include "report/findings.hpp"
 #include "report/numbers.hpp"
-#include "report/output_file.hpp"
 #include "report/progress.hpp"
-#include "report/pusher_report.hpp"
-#include "report/table_text.hpp"
 
 namespace {
 
@@ -38,8 +34,7 @@ struct PusherOptions : CommonOptions {
     std::string backend = "box2d";
     std::string task = "approach";
     std::string starts = "two";
-    std::string arena_svg;
-    std::string curves_svg;
+    ShardOptions shards;
     double noise = 1.0;
 
     PusherOptions() {
@@ -136,23 +131,10 @@ std::size_t start_of(const report::ArenaPath& episode, const sim::PusherParams& 
     return nearest;
 }
 
-/// For the learner that needed the fewest steps, from each starting place: of the last ten episodes of the first seed the
-/// one of median length.
-report::Arena learnt_paths(const PusherOptions& options, const sim::PusherParams& params,
-                           const report::PhaseRuns& phase, const std::vector<Trace>& traces) {
-    report::Arena arena;
-    if (options.task == "turn") return arena;
-    std::size_t best = 0;
-    std::uint64_t best_steps = 0;
-    for (std::size_t i = 0; i < phase.learners.size(); ++i) {
-        std::uint64_t steps = 0;
-        for (const report::SeedRun& run : phase.learners[i].runs) steps += run.steps;
-        if (i == 0 || steps < best_steps) {
-            best = i;
-            best_steps = steps;
-        }
-    }
-    const std::vector<report::ArenaPath>& episodes = traces[best].episodes;
+/// From each starting place, of the last ten episodes the one of median length.
+std::vector<report::ArenaPath> typical_paths(const std::vector<report::ArenaPath>& episodes,
+                                             const sim::PusherParams& params, const std::string& learner) {
+    std::vector<report::ArenaPath> typical_ones;
     for (std::size_t p = 0; p < params.start_places.size(); ++p) {
         std::vector<std::size_t> from_here;
         for (std::size_t e = episodes.size(); e-- > 0 && from_here.size() < 10;) {
@@ -164,14 +146,14 @@ report::Arena learnt_paths(const PusherOptions& options, const sim::PusherParams
                                                                         : a < b;
         });
         const std::size_t typical = from_here[(from_here.size() - 1) / 2];
-        arena.paths.push_back(episodes[typical]);
-        arena.paths.back().name = phase.learners[best].name + ", episode " + std::to_string(typical + 1);
+        typical_ones.push_back(episodes[typical]);
+        typical_ones.back().name = learner + ", episode " + std::to_string(typical + 1);
     }
-    return arena;
+    return typical_ones;
 }
 
-int body(int argc, char** argv) {
-    PusherOptions options;
+/// False if --help or --version was all that was asked for.
+bool parse(PusherOptions& options, int argc, char** argv) {
     Options parser("pusher_experiment",
                    "A simulated robot learns to approach (or to turn towards) a box: steps per episode of several "
                    "learners, as in Table 1 and Figs. 8 to 12 of Kwon, Suh and Lee (2011).");
@@ -180,66 +162,89 @@ int body(int argc, char** argv) {
     parser.number("--noise", options.noise, 0.0, 10.0, "Actuator noise, as a multiple of the study's");
     parser.choice("--starts", options.starts, {"one", "two"}, "Starting places of 'approach'");
     parser.common(options);
-    parser.text("--arena-svg", options.arena_svg, "Write the picture of the arena and the learnt paths");
-    parser.text("--curves-svg", options.curves_svg, "Write the picture of the learning curves");
+    parser.text("--arena-svg", options.files.arena_svg, "Write the picture of the arena and the learnt paths");
+    parser.text("--curves-svg", options.files.curves_svg, "Write the picture of the learning curves");
+    parser.shards(options.shards);
     std::string names;
     for (const std::string& name : learner_names()) names += " " + name;
     parser.footer("Learners:" + names +
                   "; dyna-q:20 and the like set k"
                   "\nKeys of --set: an unknown one is answered with those the learner has");
-    if (!parser.parse(argc, argv)) return 0;
+    return parser.parse(argc, argv);
+}
 
-    const std::vector<LearnerRecipe> recipes = learner_recipes(options.learners, options.set);
+/// A run of every learner with every seed.
+struct Experiment {
+    PusherOptions options;
+    std::vector<LearnerRecipe> recipes;
     sim::PusherParams params;
-    params.noise = options.noise;
-    params.starts = options.starts == "one" ? sim::Starts::one : sim::Starts::two;
-    params.validate();
-    for (const std::string* path : {&options.json, &options.html, &options.csv, &options.arena_svg, &options.curves_svg}) {
-        if (!path->empty()) report::require_writable(*path);
+    Parts parts;
+
+    /// \throws std::exception for anything wrong with the options.
+    void prepare(const Ranks& ranks, int argc, char** argv) {
+        recipes = learner_recipes(options.learners, options.set);
+        params.noise = options.noise;
+        params.starts = options.starts == "one" ? sim::Starts::one : sim::Starts::two;
+        params.validate();
+        parts = parts_of("pusher_experiment", options.shards, options.files, ranks, argc, argv);
     }
 
-    report::ExperimentResults results;
-    results.experiment = "pusher_experiment";
-    results.settings = settings_of(options, recipes);
-    results.manifest = {command_line(argc, argv), SSPQL_VERSION, compiler_name()};
-    results.phases.emplace_back();
-    report::PhaseRuns& phase = results.phases.back();
-    phase.name = options.task;
-
-    const auto seeds = static_cast<std::size_t>(options.seeds);
-    for (const LearnerRecipe& recipe : recipes) {
-        phase.learners.push_back({recipe.name(), std::vector<report::SeedRun>(seeds)});
-    }
-    const bool drawn = !options.html.empty() || !options.arena_svg.empty() || !options.curves_svg.empty();
-    std::vector<Trace> traces(recipes.size());
-    {
-        report::Progress progress("pusher_experiment", recipes.size() * seeds);
-        // Learners take turns, so that the time left can be told from the runs done.
-        parallel_for(recipes.size() * seeds, static_cast<std::size_t>(options.threads), [&](std::size_t i) {
-            const std::size_t learner = i % recipes.size();
-            const std::size_t k = i / recipes.size();
-            Trace* trace = k == 0 && drawn ? &traces[learner] : nullptr;
-            phase.learners[learner].runs[k] =
-                options.backend == "box2d"
-                    ? run_one<sim::Box2dBackend>(options, params, recipes[learner], k + 1, trace)
-                    : run_one<sim::KinematicBackend>(options, params, recipes[learner], k + 1, trace);
-            progress.advance();
-        });
+    [[nodiscard]] report::PusherFindings blank(int argc, char** argv) const {
+        report::PusherFindings findings;
+        report::ExperimentResults& results = findings.results;
+        results.experiment = "pusher_experiment";
+        results.settings = settings_of(options, recipes);
+        results.manifest = {command_line(argc, argv), SSPQL_VERSION, compiler_name()};
+        results.phases.emplace_back();
+        results.phases.front().name = options.task;
+        for (const LearnerRecipe& recipe : recipes) {
+            results.phases.front().learners.push_back(
+                {recipe.name(), std::vector<report::SeedRun>(static_cast<std::size_t>(options.seeds))});
+        }
+        return findings;
     }
 
-    std::cout << report::table_text(results) << std::flush;
-    if (!options.json.empty()) report::write_file(options.json, report::json_report(results));
-    if (!options.csv.empty()) report::write_file(options.csv, report::csv_report(results));
-    if (drawn) {
-        const report::Arena arena = learnt_paths(options, params, phase, traces);
-        const report::PusherPictures pictures = report::pusher_pictures(results, arena);
-        if (!options.html.empty()) report::write_file(options.html, report::pusher_report(results, arena));
-        if (!options.arena_svg.empty()) report::write_file(options.arena_svg, pictures.arena.document());
-        if (!options.curves_svg.empty()) report::write_file(options.curves_svg, pictures.curves.document());
+    void run(const shards::Shard& shard, const Ranks& ranks, report::PusherFindings& findings) const {
+        std::vector<report::LearnerRuns>& learners = findings.results.phases.front().learners;
+        const std::size_t count = recipes.size() * shard.share(static_cast<std::size_t>(options.seeds));
+        const bool drawn = shard.has(0) && parts.drawn() && options.task != "turn";
+        std::vector<Trace> traces(recipes.size());
+        {
+            report::Progress progress("pusher_experiment", count, "runs", ranks.progress_descriptor());
+            // Learners take turns, so that the time left can be told from the runs done.
+            parallel_for(count, ranks.threads(static_cast<std::size_t>(options.threads)), [&](std::size_t i) {
+                const std::size_t learner = i % recipes.size();
+                const std::size_t k = shard.unit(i / recipes.size());
+                Trace* trace = k == 0 && drawn ? &traces[learner] : nullptr;
+                learners[learner].runs[k] =
+                    options.backend == "box2d"
+                        ? run_one<sim::Box2dBackend>(options, params, recipes[learner], k + 1, trace)
+                        : run_one<sim::KinematicBackend>(options, params, recipes[learner], k + 1, trace);
+                progress.advance();
+            });
+        }
+        if (!drawn) return;
+        for (std::size_t i = 0; i < recipes.size(); ++i) {
+            findings.typical_paths.push_back(typical_paths(traces[i].episodes, params, recipes[i].name()));
+        }
     }
-    return std::cout.good() ? 0 : 2;
+};
+
+int body(int argc, char** argv, const Ranks& ranks) {
+    Experiment experiment;
+    report::PusherFindings blank;
+    bool wanted = false;
+    ranks.together([&] {
+        wanted = parse(experiment.options, argc, argv);
+        if (!wanted) return;
+        experiment.prepare(ranks, argc, argv);
+        blank = experiment.blank(argc, argv);
+    });
+    if (!wanted) return 0;
+    return run_parts(experiment.parts, ranks, std::move(blank),
+                     [&](const shards::Shard& shard, auto& findings) { experiment.run(shard, ranks, findings); });
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return sspql::experiment::run_program("pusher_experiment", body, argc, argv); }
+int main(int argc, char** argv) { return sspql::experiment::run_on_ranks("pusher_experiment", body, argc, argv); }

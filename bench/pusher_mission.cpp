@@ -7,10 +7,10 @@
 #include <charconv>
 #include <cstddef>
 #include <cstdint>
-#include <iostream>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <sspql/core/version.hpp>
@@ -19,10 +19,9 @@
 #include "experiment/learner_catalog.hpp"
 #include "experiment/mission_run.hpp"
 #include "experiment/options.hpp"
-#include "report/mission_page.hpp"
-#include "report/mission_results.hpp"
+#include "experiment/parts.hpp"
+#include "report/findings.hpp"
 #include "report/numbers.hpp"
-#include "report/output_file.hpp"
 #include "report/progress.hpp"
 
 namespace {
@@ -42,8 +41,8 @@ struct MissionOptions {
     std::string sensing = "sensors";
     std::string box;
     std::string goal;
-    std::string json;
-    std::string html;
+    report::OutputFiles files;
+    ShardOptions shards;
     double noise = 1.0;
     double box_mass = 2.0;
     double friction = 0.5;
@@ -79,7 +78,8 @@ std::vector<report::Setting> settings_of(const MissionOptions& options, const Mi
     return settings;
 }
 
-MissionPlan plan_of(const MissionOptions& options) {
+/// `drawn`: pictures may be wanted.
+MissionPlan plan_of(const MissionOptions& options, bool drawn) {
     MissionPlan plan;
     plan.world = mission_world();
     plan.world.noise = options.noise;
@@ -92,7 +92,7 @@ MissionPlan plan_of(const MissionOptions& options) {
     plan.missions = static_cast<std::size_t>(options.missions);
     plan.robots = std::min(static_cast<std::size_t>(options.robots), plan.missions);
     plan.approach_episodes = static_cast<std::size_t>(options.train_episodes);
-    if (!options.html.empty()) {
+    if (drawn) {
         plan.replays = std::min(static_cast<std::size_t>(options.replays), plan.missions);
         plan.curve_seeds = static_cast<std::size_t>(options.curve_seeds);
     }
@@ -105,8 +105,8 @@ MissionPlan plan_of(const MissionOptions& options) {
     return plan;
 }
 
-int body(int argc, char** argv) {
-    MissionOptions options;
+/// False if --help or --version was all that was asked for.
+bool parse(MissionOptions& options, int argc, char** argv) {
     Options parser(
         "pusher_mission",
         "A simulated robot searches a box, gets behind it, turns and pushes it to the goal. It learns the two "
@@ -124,38 +124,64 @@ int body(int argc, char** argv) {
     parser.text("--goal", options.goal, "Place of the goal, likewise");
     parser.whole("--threads", options.threads, 0, 1024,
                  "Threads; 0 = as many as the machine has; results do not depend on it");
-    parser.text("--json", options.json, "Write the results as JSON");
-    parser.text("--html", options.html, "Write a report with replays to play, one self-contained file");
+    parser.text("--json", options.files.json, "Write the results as JSON");
+    parser.text("--html", options.files.html, "Write a report with replays to play, one self-contained file");
     parser.whole("--replay", options.replays, 0, 1000, "The first N missions are in the report");
     parser.whole("--curve-seeds", options.curve_seeds, 0, 100000, "Runs of the report's learning curves");
+    parser.shards(options.shards);
     std::string names;
     for (const std::string& name : learner_names()) names += " " + name;
     parser.footer("Learners:" + names + "; dyna-q:20 and the like set k");
-    if (!parser.parse(argc, argv)) return 0;
+    return parser.parse(argc, argv);
+}
 
-    const std::vector<LearnerRecipe> recipes = learner_recipes(options.learner, {});
-    if (recipes.size() != 1)
-        throw std::invalid_argument("--learner must be one learner, got '" + options.learner + "'");
-    const MissionPlan plan = plan_of(options);
-    for (const std::string* path : {&options.json, &options.html}) {
-        if (!path->empty()) report::require_writable(*path);
+struct Missions {
+    MissionOptions options;
+    std::vector<LearnerRecipe> recipes;  ///< one
+    MissionPlan plan;
+    Parts parts;
+
+    /// \throws std::exception for anything wrong with the options.
+    void prepare(const Ranks& ranks, int argc, char** argv) {
+        recipes = learner_recipes(options.learner, {});
+        if (recipes.size() != 1)
+            throw std::invalid_argument("--learner must be one learner, got '" + options.learner + "'");
+        // What is wrong with the plan comes before what is wrong with the files.
+        static_cast<void>(plan_of(options, false));
+        parts = parts_of("pusher_mission", options.shards, options.files, ranks, argc, argv);
+        plan = plan_of(options, parts.drawn());
     }
 
-    report::MissionResults results;
-    {
-        report::Progress progress("pusher_mission", work_of(plan), "robots");
-        results =
-            run_missions(plan, recipes.front(), static_cast<std::size_t>(options.threads), [&] { progress.advance(); });
+    [[nodiscard]] report::MissionFindings blank(int argc, char** argv) const {
+        report::MissionFindings findings{blank_missions(plan, recipes.front()), stage_of(plan)};
+        findings.results.settings = settings_of(options, plan);
+        findings.results.manifest = {command_line(argc, argv), SSPQL_VERSION, compiler_name()};
+        return findings;
     }
-    results.settings = settings_of(options, plan);
-    results.manifest = {command_line(argc, argv), SSPQL_VERSION, compiler_name()};
 
-    std::cout << report::mission_text(results) << std::flush;
-    if (!options.json.empty()) report::write_file(options.json, report::mission_json(results));
-    if (!options.html.empty()) report::write_file(options.html, report::mission_page(results, stage_of(plan)));
-    return std::cout.good() ? 0 : 2;
+    void run(const shards::Shard& shard, const Ranks& ranks, report::MissionFindings& findings) const {
+        report::Progress progress("pusher_mission", work_of(plan, shard), "robots", ranks.progress_descriptor());
+        run_missions(
+            plan, recipes.front(), shard, ranks.threads(static_cast<std::size_t>(options.threads)),
+            [&] { progress.advance(); }, findings.results);
+    }
+};
+
+int body(int argc, char** argv, const Ranks& ranks) {
+    Missions missions;
+    report::MissionFindings blank;
+    bool wanted = false;
+    ranks.together([&] {
+        wanted = parse(missions.options, argc, argv);
+        if (!wanted) return;
+        missions.prepare(ranks, argc, argv);
+        blank = missions.blank(argc, argv);
+    });
+    if (!wanted) return 0;
+    return run_parts(missions.parts, ranks, std::move(blank),
+                     [&](const shards::Shard& shard, auto& findings) { missions.run(shard, ranks, findings); });
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return sspql::experiment::run_program("pusher_mission", body, argc, argv); }
+int main(int argc, char** argv) { return sspql::experiment::run_on_ranks("pusher_mission", body, argc, argv); }

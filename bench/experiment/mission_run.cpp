@@ -170,7 +170,9 @@ sim::PusherParams mission_world() {
     return world;
 }
 
-std::size_t work_of(const MissionPlan& plan) { return plan.robots + curve_settings * plan.curve_seeds; }
+std::size_t work_of(const MissionPlan& plan, const shards::Shard& shard) {
+    return shard.share(plan.robots) + curve_settings * shard.share(plan.curve_seeds);
+}
 
 report::ReplayStage stage_of(const MissionPlan& plan) {
     report::ReplayStage stage;
@@ -192,8 +194,7 @@ report::ReplayStage stage_of(const MissionPlan& plan) {
     return stage;
 }
 
-report::MissionResults run_missions(const MissionPlan& plan, const LearnerRecipe& recipe, std::size_t threads,
-                                    const std::function<void()>& advance) {
+report::MissionResults blank_missions(const MissionPlan& plan, const LearnerRecipe& recipe) {
     report::MissionResults results;
     results.learner = recipe.name();
     results.missions.resize(plan.missions);
@@ -204,17 +205,22 @@ report::MissionResults run_missions(const MissionPlan& plan, const LearnerRecipe
         results.curves = {{"nominal noise, true poses", std::vector<report::SeedRun>(plan.curve_seeds)},
                           {"twice the noise, by sensors", std::vector<report::SeedRun>(plan.curve_seeds)}};
     }
-    parallel_for(work_of(plan), threads, [&](std::size_t i) {
-        if (i < plan.robots) {
-            run_robot(plan, recipe, i, results);
+    return results;
+}
+
+void run_missions(const MissionPlan& plan, const LearnerRecipe& recipe, const shards::Shard& shard, std::size_t threads,
+                  const std::function<void()>& advance, report::MissionResults& results) {
+    const std::size_t robots = shard.share(plan.robots);
+    parallel_for(work_of(plan, shard), threads, [&](std::size_t i) {
+        if (i < robots) {
+            run_robot(plan, recipe, shard.unit(i), results);
         } else {
-            const std::size_t curve = (i - plan.robots) % curve_settings;
-            const std::size_t k = (i - plan.robots) / curve_settings;
+            const std::size_t curve = (i - robots) % curve_settings;
+            const std::size_t k = shard.unit((i - robots) / curve_settings);
             results.curves[curve].runs[k] = curve_run(plan, curve == 1, k);
         }
         advance();
     });
-    return results;
 }
 
 }  // namespace sspql::experiment

@@ -13,6 +13,7 @@
 
 #include "experiment/learner_catalog.hpp"
 #include "report/mission_results.hpp"
+#include "shards/shard.hpp"
 
 namespace sspql::experiment {
 
@@ -35,15 +36,19 @@ struct MissionPlan {
 /// A world with the mission's robot: a rectangle with a flat front.
 [[nodiscard]] sim::PusherParams mission_world();
 
+/// Room for all that a plan's missions will find, manifest and settings aside.
+[[nodiscard]] report::MissionResults blank_missions(const MissionPlan& plan, const LearnerRecipe& recipe);
+
 /// Trains the robots on the kinematic backend, lets them do the missions on Box2D, where they go on learning, and then
-/// records 'approach' in the settings of Figs. 11 and 13. The results, manifest and settings aside. They do not depend
-/// on `threads`. `advance` is called once for every robot and curve that is done, `work_of` says how often.
+/// records 'approach' in the settings of Figs. 11 and 13: those robots, and those seeds of the curves, that are in the
+/// shard. What is found goes into blank_missions' results and does not depend on `threads`. `advance` is called once
+/// for every robot and curve that is done, `work_of` says how often.
 ///
 /// \throws std::invalid_argument for parameters out of range, or box and goal that cannot be reached.
-[[nodiscard]] report::MissionResults run_missions(const MissionPlan& plan, const LearnerRecipe& recipe,
-                                                  std::size_t threads, const std::function<void()>& advance);
+void run_missions(const MissionPlan& plan, const LearnerRecipe& recipe, const shards::Shard& shard, std::size_t threads,
+                  const std::function<void()>& advance, report::MissionResults& results);
 
-[[nodiscard]] std::size_t work_of(const MissionPlan& plan);
+[[nodiscard]] std::size_t work_of(const MissionPlan& plan, const shards::Shard& shard);
 
 /// What the replays of a plan have in common.
 [[nodiscard]] report::ReplayStage stage_of(const MissionPlan& plan);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "experiment/options.hpp"
 
+#include <algorithm>
 #include <csignal>
 #include <exception>
 #include <iostream>
@@ -118,9 +119,22 @@ void Options::common(CommonOptions& options) {
     app.add_option("--set", options.set, "Change a learner's parameter; '*' reaches all learners; may be repeated")
         ->option_text("NAME.key=value")
         ->allow_extra_args(false);
-    app.add_option("--json", options.json, "Write all results as JSON")->option_text("FILE");
-    app.add_option("--html", options.html, "Write a report to look at, one self-contained file")->option_text("FILE");
-    app.add_option("--csv", options.csv, "Write a row per episode")->option_text("FILE");
+    reports(options.files);
+}
+
+void Options::reports(report::OutputFiles& files) {
+    CLI::App& app = parser_->app;
+    app.add_option("--json", files.json, "Write all results as JSON")->option_text("FILE");
+    app.add_option("--html", files.html, "Write a report to look at, one self-contained file")->option_text("FILE");
+    app.add_option("--csv", files.csv, "Write a row per episode")->option_text("FILE");
+}
+
+void Options::shards(ShardOptions& options) {
+    CLI::App& app = parser_->app;
+    app.add_option("--shard", options.shard,
+                   "Do only part i of n, i from 1 to n, and write it to --out; merge_results puts the n parts together")
+        ->option_text("i/n");
+    app.add_option("--out", options.out, "The file of the shard")->option_text("FILE");
 }
 
 void Options::files(const std::string& name, std::vector<std::string>& values, const std::string& help) {
@@ -151,19 +165,25 @@ bool Options::parse(int argc, const char* const* argv) {
     return true;
 }
 
-std::string command_line(int argc, const char* const* argv) {
+std::string shell_word(const std::string& word) {
+    const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+                                                               "0123456789_-+=./,:@%") == std::string::npos;
+    if (plain) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
+std::string command_line(int argc, const char* const* argv, const std::vector<std::string>& dropped) {
     std::string text;
     for (int i = 0; i < argc; ++i) {
         std::string word = argv[i];
-        if (i == 0) word = word.substr(word.find_last_of('/') + 1);
-        const bool plain = !word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-                                                                   "0123456789_-+=./,:@%") == std::string::npos;
-        if (!plain) {
-            std::string quoted = "'";
-            for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
-            word = quoted + "'";
+        if (std::find(dropped.begin(), dropped.end(), word.substr(0, word.find('='))) != dropped.end()) {
+            if (word.find('=') == std::string::npos) ++i;  // its value is the next word
+            continue;
         }
-        text += (i == 0 ? "" : " ") + word;
+        if (i == 0) word = word.substr(word.find_last_of('/') + 1);
+        text += (i == 0 ? "" : " ") + shell_word(word);
     }
     return text;
 }

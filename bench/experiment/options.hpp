@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "report/output_file.hpp"
+
 /// \file
 /// Command lines: the only place that knows CLI11.
 
@@ -27,9 +29,13 @@ struct CommonOptions {
     std::int64_t threads = 0;  ///< 0: as many as the machine has
     std::int64_t steps_per_episode = 0;
     std::vector<std::string> set;
-    std::string json;
-    std::string html;
-    std::string csv;
+    report::OutputFiles files;
+};
+
+/// Which part of a run is asked for, as typed.
+struct ShardOptions {
+    std::optional<std::string> shard{};
+    std::string out{};
 };
 
 /// A program's options. Values are what they were before parse() unless the command line says otherwise; they must
@@ -50,6 +56,8 @@ public:
     void number(const std::string& name, std::optional<double>& value, double least, double most,
                 const std::string& help);
     void common(CommonOptions& options);
+    void reports(report::OutputFiles& files);
+    void shards(ShardOptions& options);
 
     /// One or more arguments without an option before them: files that exist.
     void files(const std::string& name, std::vector<std::string>& values, const std::string& help);
@@ -66,8 +74,11 @@ private:
     std::unique_ptr<Parser> parser_;
 };
 
-/// The command line as a person could type it again.
-[[nodiscard]] std::string command_line(int argc, const char* const* argv);
+/// A word as a shell takes it, quoted where it must be.
+[[nodiscard]] std::string shell_word(const std::string& word);
+
+/// The command line as a person could type it again, without those options (each has a value) in `dropped`.
+[[nodiscard]] std::string command_line(int argc, const char* const* argv, const std::vector<std::string>& dropped = {});
 
 /// "g++ 12.2.0" or the like.
 [[nodiscard]] std::string compiler_name();

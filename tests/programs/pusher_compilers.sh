@@ -50,14 +50,15 @@ PYTHON
 cat >"$work/compile" <<'SH'
 compiler=$1 work=$2 file=$3
 case $file in
-*/report/*) optimise=-O0 ;;
+*/report/* | */shards/* | */ranks/*) optimise=-O0 ;;
 *) optimise=-O2 ;;
 esac
 object=$work/$(printf '%s' "$file" | tr / _).o
 tr '\n' '\0' <"$work/flags" | xargs -0 "$compiler" $optimise -DNDEBUG -ffp-contract=off -c "$file" -o "$object"
 SH
 {
-    ls "$source"/bench/pusher_experiment.cpp "$source"/bench/report/*.cpp "$source"/bench/experiment/*.cpp |
+    ls "$source"/bench/pusher_experiment.cpp "$source"/bench/report/*.cpp "$source"/bench/experiment/*.cpp \
+        "$source"/bench/shards/*.cpp "$source"/bench/ranks/one_rank.cpp |
         tr '\n' '\0' | xargs -0 -n 1 -P 2 sh "$work/compile" "$other" "$work" &&
         "$other" "$work"/*.o "$box2d" -pthread -o "$work/pusher_experiment"
 } >"$work/log" 2>&1 || {
