@@ -1,0 +1,61 @@
+# Doxygen's input filter for the pages in Markdown: gives headings the names by which links find them elsewhere
+# ("## Two words" is PAGE-two-words, PAGE the file's name), and turns links between files into references, so that a
+# broken one is an error. Links from docs/README.md, the table of contents, also put the pages into its order. What the
+# reference does not have (a build script, the licence) loses its link and keeps its words.
+function page_of(path) {
+    sub(/.*\//, "", path)
+    sub(/\.md$/, "", path)
+    return tolower(path)
+}
+function slug_of(text) {
+    text = tolower(text)
+    gsub(/[^a-z0-9 _-]/, "", text)
+    gsub(/ /, "-", text)
+    return text
+}
+function reference(text, target,    at) {
+    gsub(/`/, "", text)
+    if (target ~ /^#/) return "[" text "](@ref " page "-" substr(target, 2) ")"
+    if (target ~ /\.md(#.*)?$/) {
+        at = index(target, "#")
+        if (at) return "[" text "](@ref " page_named(substr(target, 1, at - 1)) "-" substr(target, at + 1) ")"
+        if (contents) return "@subpage " page_named(target) " \"" text "\""
+        return "[" text "](@ref " page_named(target) ")"
+    }
+    if (target ~ /examples\/.*\.cpp$/) {
+        sub(/.*\//, "", target)
+        return "[" text "](@ref " target ")"
+    }
+    return text
+}
+# docs/README.md is the page "contents", README.md the main page "readme".
+function page_named(path) {
+    if (path !~ /(^|\/)README\.md$/) return page_of(path)
+    return in_docs == (path ~ /^\.\.\//) ? "readme" : "contents"
+}
+FNR == 1 {
+    in_docs = FILENAME ~ /\/docs\/[^\/]*$/
+    contents = FILENAME ~ /\/docs\/README\.md$/
+    page = contents ? "contents" : page_of(FILENAME)
+}
+/^ *```/ { fenced = !fenced }
+!fenced && /^#+ / {
+    name = /^# / && !titled ? page : page "-" slug_of(substr($0, index($0, " ") + 1))
+    if (/^# /) titled = 1
+    print $0 " {#" name (used[name]++ ? "-" used[name] - 1 : "") "}"
+    next
+}
+!fenced && !/^    / {
+    rest = $0
+    $0 = ""
+    while (match(rest, /!?\[[^]]*\]\([^() ]*\)/)) {
+        link = substr(rest, RSTART, RLENGTH)
+        at = index(link, "](")
+        target = substr(link, at + 2, length(link) - at - 2)
+        if (link !~ /^!/ && target ~ /[.#]/ && target !~ /^[a-z]+:/) link = reference(substr(link, 2, at - 2), target)
+        $0 = $0 substr(rest, 1, RSTART - 1) link
+        rest = substr(rest, RSTART + RLENGTH)
+    }
+    $0 = $0 rest
+}
+{ print }
