@@ -26,12 +26,13 @@ function reference(text, target,    at) {
         sub(/.*\//, "", target)
         return "[" text "](@ref " target ")"
     }
+    if (target ~ /examples\/?$/) return "<a href=\"examples.html\">" text "</a>"
     return text
 }
 # docs/README.md is the page "contents", README.md the main page "readme".
 function page_named(path) {
     if (path !~ /(^|\/)README\.md$/) return page_of(path)
-    return in_docs == (path ~ /^\.\.\//) ? "readme" : "contents"
+    return path ~ /docs\// || (in_docs && path !~ /^\.\.\//) ? "contents" : "readme"
 }
 FNR == 1 {
     in_docs = FILENAME ~ /\/docs\/[^\/]*$/

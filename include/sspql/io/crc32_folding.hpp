@@ -8,6 +8,7 @@
 #define SSPQL_HAS_CRC_FOLDING 1
 #include <immintrin.h>
 #else
+/// 1 where the compiler can multiply without carries, for checksums; else 0. \ingroup io
 #define SSPQL_HAS_CRC_FOLDING 0
 #endif
 

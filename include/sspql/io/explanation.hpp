@@ -21,9 +21,9 @@ namespace sspql {
 
 /// What there is to say about one action of a state.
 struct ActionExplanation {
-    ActionId action{};
+    ActionId action{};    ///< which one
     std::string label{};  ///< the action in words; its number if nobody has any
-    bool legal = true;
+    bool legal = true;    ///< whether it may be chosen now
     ActionTerms terms{};  ///< eq. 8's, and N(s,a)
 
     StateId likely = no_state;   ///< where it led most often, the least id on ties; no_state if unknown
@@ -35,16 +35,16 @@ struct ActionExplanation {
 
 /// A state on the way to the goal, and the action that leads on from it; no_action at the goal.
 struct PathStep {
-    StateId state{};
-    std::string label{};
-    ActionId action = no_action;
-    std::string action_label{};
+    StateId state{};              ///< where the way leads through
+    std::string label{};          ///< the state in words; its number if nobody has any
+    ActionId action = no_action;  ///< that leads on from it
+    std::string action_label{};   ///< the action in words; empty at the goal
 };
 
 /// Why a learner does what it does in a state: explain() makes one, `<<` and to_text() put it into words. Distances are
 /// those of the learner's shortest-path tree.
 struct Explanation {
-    StateId state{};
+    StateId state{};              ///< which one
     std::string label{};          ///< the state in words; empty if nobody has any
     ActionId chosen = no_action;  ///< what the running episode does here now; no_action if it is elsewhere
     ActionId leading{};           ///< the legal action with the greatest sum of terms, the least id on ties
@@ -260,6 +260,7 @@ private:
 /// terms that are 0 for all actions are left out. `to go` counts from the state the action most often leads to.
 [[nodiscard]] inline std::string to_text(const Explanation& why) { return detail::ExplanationText(why).text(); }
 
+/// to_text(), to a stream.
 inline std::ostream& operator<<(std::ostream& out, const Explanation& why) { return out << to_text(why); }
 
 }  // namespace sspql
