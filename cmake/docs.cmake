@@ -2,20 +2,15 @@
 # The target `docs` writes the reference and the manual to <build>/docs/html; any warning of Doxygen's is an error. The
 # build tree without Doxygen has the target too, which then says what to install.
 
-find_package(Doxygen 1.9 QUIET OPTIONAL_COMPONENTS dot)
+find_package(Doxygen 1.9 QUIET)
 if(NOT DOXYGEN_FOUND)
   add_custom_target(docs
-    COMMAND ${CMAKE_COMMAND} -E echo "The target docs needs Doxygen: install the packages doxygen and graphviz"
+    COMMAND ${CMAKE_COMMAND} -E echo "The target docs needs Doxygen: install the package doxygen"
     COMMAND ${CMAKE_COMMAND} -E false VERBATIM)
   return()
 endif()
 
 set(SSPQL_DOCS_DIR "${PROJECT_BINARY_DIR}/docs")
-if(TARGET Doxygen::dot)
-  set(SSPQL_DOCS_DOT YES)
-else()
-  set(SSPQL_DOCS_DOT NO)
-endif()
 configure_file(docs/reference/Doxyfile.in docs/Doxyfile @ONLY)
 
 # A page for each example.

@@ -1,19 +1,23 @@
-# Doxygen's input filter for headers. Puts what a header has in namespaces sspql and sspql::sim into the group of its
-# folder (groups.dox), so that the headers need not say it. Hides what is public or protected for our own templates'
-# sake: befriended classes, defaulted members, deduction guides, what a CRTP base keeps for Derived, and serialize()
-# (core/serialization.hpp).
-# Gives a header a page even if it says nothing about itself, keeps "eq. 2" and "0 .. n-1" from ending a first sentence, and
-# makes links of the manual's pages. Keeps the numbers of lines: those in warnings are right.
+# Doxygen's input filter for headers. It keeps the numbers of lines: those in warnings are right.
+# - What is in namespaces sspql and sspql::sim joins the group of its folder (groups.dox).
+# - Every header has a page, also one that says nothing about itself.
+# - Hidden: what is public or protected for our own templates' sake. Befriended classes, defaulted members, deduction
+#   guides, what a CRTP base keeps for Derived, serialize() (core/serialization.hpp).
+# - "eq. 2" and "0 .. n-1" do not end a first sentence; names of the manual's pages are links.
 FNR == 1 {
     group = FILENAME
     sub(/.*\/sspql\//, "", group)
     if (!sub(/\/[^\/]*$/, "", group)) group = ""
     gsub(/\//, "_", group)
 }
+/^#pragma once$/ { $0 = "using namespace sspql; using namespace sspql::sim;" }
 group != "" && /^namespace sspql(::sim)? \{$/ { $0 = $0 " /** \\addtogroup " group " */ /** \\{ */" }
 group != "" && /^\}  \/\/ namespace sspql(::sim)?$/ { $0 = "/** \\} */ " $0 }
 /^ *friend [^(]*;$/ || /= default;$/ { $0 = "" }
 /^ *protected:$/ { $0 = "private:" }
+/\/\/\/ (.* )?Ours: / { ours = 1 }  # at the end of what a file says of itself, where names would not be found
+!/^\/\/\/ / { ours = 0 }
+ours { gsub(/[A-Z][a-z0-9]+[A-Z][A-Za-z]*/, (group ~ /^sim/ ? "sspql::sim::&" : "sspql::&")) }
 /\/\/\/<? [^ ]/ {
     comment = substr($0, at = index($0, "///"))
     gsub(/eq\. /, "eq.\\\\ ", comment)

@@ -41,6 +41,7 @@ inline constexpr double max_reward = 1e100;
 /// members may run together.
 ///
 /// For implementers (CRTP). Derived supplies, to this base as a friend:
+///
 ///     void add_states(std::size_t n)        make room for n states in all
 ///     ActionId select(StateId)              choose with exploration
 ///     void learn(const Transition&)         an outcome; ids and numbers are checked

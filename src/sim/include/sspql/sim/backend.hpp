@@ -18,8 +18,7 @@
 ///     explicit Backend(const PusherParams&)                 checks and copies the numbers
 ///     void reset(Pose robot, Pose box, Point goal)          a world at rest; nothing of the past remains
 ///     Move translate(double distance_m, double drift_rad)   drives forward (> 0) or backwards (< 0); meanwhile the
-///     heading
-///                                                           turns evenly, by drift_rad over the full distance
+///                                                           heading turns evenly, by drift_rad over the full distance
 ///     Move rotate(double angle_rad)                         turns on the spot, > 0 to the left
 ///     Pose robot() const, Pose box() const                  arena frame, headings in (-pi, pi]
 ///     Point goal() const                                    as given to reset; no body

@@ -42,7 +42,7 @@ struct PusherParams {
     // Safety of a translation. The guard's sonars look forward (or to the rear when it drives backwards), from the
     // body's outline outward at these angles from the way it drives.
     bool guard = true;  ///< whether translations are guarded
-    /// From the way it drives.
+    /// Where they look, from the way it drives.
     std::array<double, 3> guard_angles_rad{0.0, from_degrees(30.0), from_degrees(-30.0)};
     double guard_clearance_m = 0.06;  ///< stop where one of them reads this or less
     bool fence = true;                ///< whether translations keep within a circle around the box
