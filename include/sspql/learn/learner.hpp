@@ -165,9 +165,9 @@ public:
     /// Whether an episode is under way.
     [[nodiscard]] bool running() const noexcept { return action_ != no_action; }
 
-    /// The state in which the running episode's last action was chosen, and that action; no_action between episodes.
+    /// The state in which the running episode's last action was chosen; between episodes it means nothing.
     [[nodiscard]] StateId state() const noexcept { return state_; }
-    /// That action.
+    /// The running episode's last action; no_action between episodes.
     [[nodiscard]] ActionId action() const noexcept { return action_; }
 
     /// Which actions the states have.

@@ -54,7 +54,7 @@ public:
     /// The actions of one state. A view, valid as long as the table.
     class Allowed {
     public:
-        /// Of `actions` actions those whose outcomes, between two of `offsets`, are not none.
+        /// Those a < `actions` with offsets[a] < offsets[a + 1]: they have outcomes.
         Allowed(const std::uint32_t* offsets, std::size_t actions) noexcept : offsets_(offsets), actions_(actions) {}
         /// Whether the state has the action; false also for ids outside.
         [[nodiscard]] bool contains(ActionId a) const noexcept {

@@ -51,7 +51,7 @@ public:
 
     /// Whether nothing is queued.
     [[nodiscard]] bool empty() const noexcept { return uses_buckets_ ? buckets_.empty() : ring_.empty(); }
-    /// How many vertices are queued, counting those twice that are queued again.
+    /// How many vertices are queued.
     [[nodiscard]] std::size_t size() const noexcept { return uses_buckets_ ? buckets_.size() : ring_.size(); }
 
     /// Queues a vertex that is not queued.
