@@ -44,13 +44,15 @@ struct MountainCarParams {
 /// \throws std::invalid_argument for no ticks, or rewards that are not finite.
 class MountainCar {
 public:
+    /// Position, and velocity in positions a tick.
     using Observation = std::array<double, 2>;
 
-    static constexpr double leftmost = -1.2;
-    static constexpr double goal = 0.5;
-    static constexpr double fastest = 0.07;  ///< per tick
-    static constexpr std::size_t actions = 3;
+    static constexpr double leftmost = -1.2;   ///< where the wall is
+    static constexpr double goal = 0.5;        ///< the position of the right hilltop
+    static constexpr double fastest = 0.07;    ///< per tick
+    static constexpr std::size_t actions = 3;  ///< how many commands there are
 
+    /// The car is nowhere until reset().
     explicit MountainCar(MountainCarParams params = {}) : params_(params) {
         if (params.ticks == 0) throw_invalid("ticks", "be at least 1", params.ticks);
         require_finite("step reward", params.step_reward);
@@ -62,6 +64,7 @@ public:
         return UniformGrid<2>({{{leftmost, goal, cells}, {-fastest, fastest, cells}}});
     }
 
+    /// Starts an episode: at rest, near the bottom, where the seed says. \returns the first observation.
     Observation reset(std::uint64_t seed) {
         Random start(seed, RandomStream::environment);
         return place({start.uniform(-0.6, -0.4), 0.0});
@@ -77,6 +80,7 @@ public:
         return at_;
     }
 
+    /// Holds the command for a step.
     /// \throws std::logic_error before reset() and after the end of an episode; std::invalid_argument for no Throttle.
     Step<Observation> step(Throttle throttle) {
         if (!running_) throw std::logic_error("step() outside an episode: reset() first");
@@ -90,6 +94,7 @@ public:
 
     /// Where the car is and how fast it goes.
     [[nodiscard]] const Observation& observation() const noexcept { return at_; }
+    /// As given.
     [[nodiscard]] const MountainCarParams& params() const noexcept { return params_; }
 
 private:

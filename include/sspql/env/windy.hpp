@@ -22,21 +22,22 @@ enum class WindyMoves : std::uint8_t { four = 4, king = 8, king_or_stay = 9 };
 
 /// Settings of a windy grid world. The defaults are Sutton and Barto's.
 struct WindyParams {
+    /// A place on the grid.
     struct Cell {
-        std::size_t row = 0;  ///< 0 is the uppermost
-        std::size_t column = 0;
+        std::size_t row = 0;     ///< 0 is the uppermost
+        std::size_t column = 0;  ///< 0 is the leftmost
     };
 
     /// By column: so many cells up the wind carries an agent that moves from there; negative ones down.
     std::vector<int> wind{0, 0, 0, 1, 1, 1, 2, 2, 1, 0};
-    std::size_t rows = 7;
-    Cell start{3, 0};
-    Cell goal{3, 7};
-    WindyMoves moves = WindyMoves::four;
+    std::size_t rows = 7;                 ///< how many there are
+    Cell start{3, 0};                     ///< where episodes begin
+    Cell goal{3, 7};                      ///< which ends them
+    WindyMoves moves = WindyMoves::four;  ///< which actions there are
     /// Where there is wind it is one stronger with this chance, and one weaker with the same; in [0, 0.5]. 1/3 in
     /// exercise 6.10.
     double gusts = 0.0;
-    double step_reward = -1.0;
+    double step_reward = -1.0;  ///< of a step
     double goal_reward = -1.0;  ///< of the step that reaches the goal, instead of step_reward
 };
 

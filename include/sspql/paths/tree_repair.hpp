@@ -36,7 +36,7 @@ public:
     /// ReverseGraph.
     /// \param lost states whose edge to next(s) was erased since.
     /// \param goals those of `tree`, whose size is the number of states.
-    /// \param least_cost, greatest_cost bounds on the labels, for the queue.
+    /// \param least_cost a lower bound on the labels, for the queue. \param greatest_cost an upper one.
     /// \returns false if it gave up; `tree` is undefined then.
     template <class Cell, class Queue>
     bool repair(const TransitionCounts<Cell>& counts, const PublishedChanges& changes, const std::vector<StateId>& lost,
