@@ -5,13 +5,18 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/io/explain.hpp>
 #include <sspql/learn/transition.hpp>
+#include <sspql/model/transition_counts.hpp>
+#include <sspql/paths/shortest_paths.hpp>
 
 #include "parameters.hpp"
 
@@ -20,22 +25,9 @@ namespace sspql::python {
 /// A number as it comes from Python: checked, before it becomes an id.
 using Number = std::int64_t;
 
-/// The columns of the counts, a row for each (s,a,s') observed, ascending.
-struct CountColumns {
-    std::vector<Number> s, a, next;
-    std::vector<double> n;
-    std::vector<double> weight;
-    std::vector<std::uint8_t> terminal;
-    std::vector<double> reward_sum;  ///< empty where rewards are not kept
-    bool whole = false;              ///< whether n are whole numbers
-    bool rewards = false;            ///< whether rewards are kept
-};
-
-/// What shortest paths a learner knows, by state.
-struct PathColumns {
-    std::vector<double> distance;  ///< infinite: no path
-    std::vector<Number> next;      ///< -1: no next state; empty where the learner keeps distances only
-};
+/// A learner's counts, if it keeps any.
+using CountsPointer =
+    std::variant<std::monostate, const TransitionCounts<CountCell>*, const TransitionCounts<FadingCell>*>;
 
 /// A learner of any kind, with a fixed number of states: what Python sees. Members do what those of the same name in
 /// learn/learner.hpp do and throw what they throw; ids are checked here, since they come as 64-bit numbers. What a kind
@@ -71,10 +63,15 @@ public:
     /// states() x actions() values, row = state, at an address that never changes.
     [[nodiscard]] virtual const double* q() const = 0;
     [[nodiscard]] virtual std::vector<std::uint32_t> visits() const = 0;
-    [[nodiscard]] virtual CountColumns counts() const = 0;
-    [[nodiscard]] virtual PathColumns paths() const = 0;
     [[nodiscard]] virtual std::vector<std::pair<std::string, double>> status() const = 0;
     virtual void update_paths() = 0;
+
+    /// What it keeps of a model; see model.hpp.
+    [[nodiscard]] virtual CountsPointer counts() const = 0;
+    [[nodiscard]] virtual std::optional<std::vector<Goal>> goals() const = 0;
+    [[nodiscard]] virtual const ShortestPathTree* tree() const = 0;
+    [[nodiscard]] virtual Explanation explain(Number s, const ShortestPathTree& tree,
+                                              const ExplainOptions& options) const = 0;
 
     /// The parameters it works with.
     [[nodiscard]] virtual std::vector<std::pair<std::string, Value>> parameters() const = 0;

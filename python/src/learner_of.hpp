@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -14,12 +15,12 @@
 #include <sspql/core/errors.hpp>
 #include <sspql/core/ids.hpp>
 #include <sspql/io/checkpoint.hpp>
+#include <sspql/io/explain.hpp>
 #include <sspql/learn/transition.hpp>
 #include <sspql/paths/shortest_paths.hpp>
 #include <sspql/spaces/action_set.hpp>
 
 #include "any_learner.hpp"
-#include "count_columns.hpp"
 #include "parameters.hpp"
 
 namespace sspql::python {
@@ -31,7 +32,7 @@ using CountsExpression = decltype(std::declval<const L&>().counts());
 template <class L>
 using TreeExpression = decltype(std::declval<const L&>().tree());
 template <class L>
-using PathLengthExpression = decltype(std::declval<const L&>().path_length(StateId{}));
+using GoalsExpression = decltype(std::declval<const L&>().goals());
 template <class L>
 using StatusExpression = decltype(std::declval<const L&>().status());
 template <class L>
@@ -106,21 +107,29 @@ public:
         }
         return visits;
     }
-    CountColumns counts() const override {
-        if constexpr (has<detail::CountsExpression>) return columns_of(learner_.counts());
-        lacks("counts()");
-    }
-    PathColumns paths() const override {
-        PathColumns paths;
-        if constexpr (has<detail::TreeExpression>) {
-            paths.distance = learner_.tree().distance;
-            for (const StateId next : learner_.tree().next) paths.next.push_back(next == no_state ? -1 : number(next));
-        } else if constexpr (has<detail::PathLengthExpression>) {
-            for (std::size_t s = 0; s < states(); ++s) paths.distance.push_back(learner_.path_length(state_id(s)));
+    CountsPointer counts() const override {
+        if constexpr (has<detail::CountsExpression>) {
+            return &learner_.counts();
         } else {
-            lacks("paths");
+            return {};
         }
-        return paths;
+    }
+    std::optional<std::vector<Goal>> goals() const override {
+        if constexpr (has<detail::GoalsExpression>) {
+            return learner_.goals();
+        } else {
+            return std::nullopt;
+        }
+    }
+    const ShortestPathTree* tree() const override {
+        if constexpr (has<detail::TreeExpression>) {
+            return &learner_.tree();
+        } else {
+            return nullptr;
+        }
+    }
+    Explanation explain(Number s, const ShortestPathTree& tree, const ExplainOptions& options) const override {
+        return sspql::explain(learner_, state_of(s), tree, options);
     }
     std::vector<std::pair<std::string, double>> status() const override {
         if constexpr (has<detail::StatusExpression>) {

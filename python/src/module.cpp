@@ -9,15 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <sspql/core/errors.hpp>
+#include <sspql/core/ids.hpp>
 #include <sspql/core/version.hpp>
-#include <sspql/learn/transition.hpp>
 
 #include "any_learner.hpp"
 #include "checkpoint_files.hpp"
+#include "learner.hpp"
 #include "values.hpp"
 
 namespace py = pybind11;
@@ -38,13 +38,6 @@ const Kind& find(const std::string& text, std::string Kind::*member, const char*
     return *found;
 }
 
-/// The Python object. Arrays shown to Python share the learner; load() replaces it, so that theirs stays what it was.
-struct Learner {
-    std::shared_ptr<AnyLearner> learner;
-
-    AnyLearner* operator->() const { return learner.get(); }
-};
-
 Learner make(const std::string& kind_name, Number states, Number actions, std::uint64_t seed, const std::string& preset,
              const py::dict& parameters) {
     const Kind& kind = find(kind_name, &Kind::name, "kind");
@@ -56,39 +49,6 @@ Learner restore(const std::string& bytes, const std::string& name) {
     const Kind& kind = find(type.type_name, &Kind::type_name, "learner of a checkpoint");
     return {kind.make(static_cast<Number>(type.states), static_cast<Number>(type.actions), "", {}, 0)
                 ->from_bytes(bytes, name)};
-}
-
-/// Read-only, without a copy; the array keeps the learner alive.
-py::array q_view(const Learner& self) {
-    auto* owner = new std::shared_ptr<const AnyLearner>(self.learner);
-    const py::capsule base(owner, [](void* p) { delete static_cast<std::shared_ptr<const AnyLearner>*>(p); });
-    const auto states = static_cast<py::ssize_t>(self->states());
-    const auto actions = static_cast<py::ssize_t>(self->actions());
-    py::array_t<double> view({states, actions}, self->q(), base);
-    view.attr("setflags")(py::arg("write") = false);
-    return std::move(view);
-}
-
-template <class T>
-py::array column(const std::vector<T>& values) {
-    return py::array_t<T>(static_cast<py::ssize_t>(values.size()), values.data());
-}
-
-py::tuple count_columns(const Learner& self) {
-    const CountColumns c = self->counts();
-    return py::make_tuple(c.whole, c.rewards, column(c.s), column(c.a), column(c.next), column(c.n), column(c.weight),
-                          column(c.terminal), column(c.reward_sum));
-}
-
-py::array visits(const Learner& self) {
-    return column(self->visits())
-        .reshape({static_cast<py::ssize_t>(self->states()), static_cast<py::ssize_t>(self->actions())});
-}
-
-py::array policy(const Learner& self) {
-    std::vector<Number> best;
-    for (std::size_t s = 0; s < self->states(); ++s) best.push_back(self->best(static_cast<Number>(s)));
-    return column(best);
 }
 
 void set_goals(const Learner& self, const py::iterable& goals) {
@@ -122,32 +82,8 @@ void set_legal_actions(const Learner& self, Number state, const py::iterable& ma
     self->set_legal_actions(state, bits);
 }
 
-py::array legal_actions(const Learner& self, Number state) {
-    const std::vector<bool> mask = self->legal_actions(state);
-    py::array_t<bool> array(static_cast<py::ssize_t>(mask.size()));
-    for (std::size_t a = 0; a < mask.size(); ++a) array.mutable_at(a) = mask[a];
-    return std::move(array);
-}
-
-py::object id_or_none(Number id) { return id < 0 ? py::none() : py::object(py::int_(id)); }
-
-void bind_terms(py::module_& m) {
-    py::class_<ActionTerms> terms(m, "ActionTerms", "Why an action is chosen: the terms of its score.");
-    terms.attr("__module__") = "sspql";
-    terms.def_readonly("q", &ActionTerms::q, "what Q contributes")
-        .def_readonly("ssp", &ActionTerms::ssp, "what the shortest path contributes")
-        .def_readonly("exploration", &ActionTerms::exploration, "the bonus for what was seldom tried")
-        .def_readonly("hint", &ActionTerms::hint, "what is left of a trainer's hint")
-        .def_readonly("n", &ActionTerms::n, "how often the action was tried here")
-        .def("sum", &ActionTerms::sum, "The score: all four together.")
-        .def("__repr__", [](const ActionTerms& t) {
-            return std::string(py::str("ActionTerms(q={:.6g}, ssp={:.6g}, exploration={:.6g}, hint={:.6g}, n={:g})")
-                                   .format(t.q, t.ssp, t.exploration, t.hint, t.n));
-        });
-}
-
 void bind_learner(py::module_& m) {
-    py::class_<Learner> c(m, "Learner", "What all learners share; the classes of sspql derive from it.");
+    LearnerClass c(m, "Learner", "What all learners share; the classes of sspql derive from it.");
     c.attr("__module__") = "sspql";
     c.def(py::init(&make), py::arg("kind"), py::arg("states"), py::arg("actions"), py::arg("seed"), py::arg("preset"),
           py::arg("parameters"));
@@ -199,23 +135,11 @@ void bind_learner(py::module_& m) {
     c.def(
         "best", [](const Learner& self, Number state) { return self->best(state); }, py::arg("state"),
         "The best action known in `state`: no exploration, nothing learnt.");
-    c.def("policy", &policy, "best() of every state: an array of shape (states,), a copy.");
-    c.def(
-        "terms", [](const Learner& self, Number state, Number action) { return self->terms(state, action); },
-        py::arg("state"), py::arg("action"), "Why: what the action's score is made of.");
     c.def("set_goals", &set_goals, py::arg("goals"),
           "Other goals from now on: states, or pairs (state, offset), the offset being the cost still to pay there.\n"
           "What was learnt about the world stays. An empty list goes back to goals discovered by rewards.");
     c.def("set_legal_actions", &set_legal_actions, py::arg("state"), py::arg("mask"),
           "Which actions `state` has: True or False (1 or 0) for each. The last mask of each state holds.");
-    c.def("legal_actions", &legal_actions, py::arg("state"),
-          "The mask of `state`: an array of shape (actions,), a copy.");
-
-    c.def_property_readonly("q", &q_view,
-                            "Q: a read-only array of shape (states, actions). No copy: it shows what is learnt later,\n"
-                            "and stays valid without the learner. After load() take it anew.");
-    c.def("visits", &visits, "How often each action was tried in each state: shape (states, actions), a copy.");
-
     c.def_property_readonly(
         "states", [](const Learner& self) { return self->states(); }, "The number of states.");
     c.def_property_readonly(
@@ -247,17 +171,14 @@ void bind_learner(py::module_& m) {
         "to_bytes", [](const Learner& self) { return py::bytes(self->to_bytes()); }, "The bytes save() would write.");
 
     // What only some have; their classes make it public.
-    c.def("_counts", &count_columns);
     c.def("_status", [](const Learner& self) {
         py::dict status;
         for (const auto& [name, value] : self->status()) status[py::str(name)] = value;
         return status;
     });
-    c.def("_paths", [](const Learner& self) {
-        const PathColumns paths = self->paths();
-        return py::make_tuple(column(paths.distance), column(paths.next));
-    });
     c.def("_update_paths", [](const Learner& self) { self->update_paths(); });
+    bind_arrays(c);
+    bind_explanations(m, c);
 }
 
 }  // namespace
@@ -270,7 +191,6 @@ PYBIND11_MODULE(_core, m) {
     m.attr("__version__") = std::to_string(SSPQL_VERSION_MAJOR) + "." + std::to_string(SSPQL_VERSION_MINOR) + "." +
                             std::to_string(SSPQL_VERSION_PATCH);
     bind_schedules(m);
-    bind_terms(m);
     bind_learner(m);
     m.def(
         "parameters",

@@ -13,7 +13,7 @@ Without an environment class: action = learner.begin(state), learner.step(reward
 terminated). The same seed gives the same actions as in C++.
 """
 
-from ._core import ActionTerms, ExponentialDecay, VisitDecay, __version__
+from ._core import ActionTerms, Explanation, ExponentialDecay, VisitDecay, __version__
 from .episodes import EpisodeResult, run_episode, run_episodes
 from .learners import (
     AdaptiveSspql,
@@ -35,6 +35,7 @@ __all__ = [
     "DynaQ",
     "DynaQPlus",
     "EpisodeResult",
+    "Explanation",
     "ExponentialDecay",
     "Learner",
     "PrioritizedSweeping",

@@ -87,6 +87,19 @@ class _Counting(Learner):
             counts[name] = column
         return counts
 
+    def goals(self):
+        """The goals that hold now: a list of pairs (state, offset), told ones or those that rewards tell of."""
+        return self._goals()
+
+    def shortest_paths(self):
+        """The shortest paths to the goals that the counts know of: distance and next state by state, two arrays of shape
+        (states,), copies.
+
+        The distance is in expected steps (weights, where steps had any), infinite where no path is known; next is -1
+        there and at goals. For Sspql they are the paths it uses, by its own costs, as of its last update.
+        """
+        return self._paths()
+
 
 def _describe(cls):
     """Gives a class the signature and the table of parameters that the compiled part has."""
@@ -143,11 +156,6 @@ class AdaptiveSspql(_Counting):
         status["goal_known"] = bool(status["goal_known"])
         return status
 
-    def path_lengths(self):
-        """The length of the shortest known path to a goal from every state, in expected steps, as of the last search;
-        infinite where none is known, and in states that were only ever ends. An array of shape (states,), a copy."""
-        return self._paths()[0]
-
 
 class Sspql(_Counting):
     """Stochastic shortest path-based Q-learning, as published by Kwon, Suh and Lee (2011).
@@ -157,11 +165,6 @@ class Sspql(_Counting):
     """
 
     _kind = "Sspql"
-
-    def shortest_paths(self):
-        """The shortest paths as of the last update: distance and next state by state, two arrays, copies. The distance
-        is infinite where no path is known; next is -1 there and at goals."""
-        return self._paths()
 
     def update_paths(self):
         """Renews the shortest paths now instead of at the episode's end."""
