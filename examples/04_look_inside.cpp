@@ -1,8 +1,12 @@
 // g++ -std=c++17 -O2 -I include -I /usr/include/eigen3 examples/04_look_inside.cpp -o look_inside && ./look_inside
 // The adaptive planner in a maze whose wall moves, and what it tells about itself. Quoted by docs/adaptive.md.
+#include <array>
 #include <cstdio>
+#include <iostream>
 #include <sspql/env/grid_maps.hpp>
+#include <sspql/io/explain.hpp>
 #include <sspql/sspql.hpp>
+#include <string>
 
 using sspql::Move;
 
@@ -44,4 +48,11 @@ int main() {
                     why.q, why.exploration, why.n);
     }
     std::printf("the goal is %.0f steps away\n", robot.learner().path_length(start));
+
+    // The same, and where each action leads: a table to read at the bench. Cells are row,column from above.
+    const sspql::GridMap& map = maze.world().map();
+    sspql::ExplainOptions words;
+    words.state = [&](sspql::StateId s) { return std::to_string(map.row(s)) + "," + std::to_string(map.column(s)); };
+    words.action = [](sspql::ActionId a) { return std::array{"up", "down", "left", "right"}[index(a)]; };
+    std::cout << '\n' << sspql::explain(robot, start, words);
 }

@@ -1,25 +1,37 @@
 // g++ -std=c++17 -O2 -I include -I /usr/include/eigen3 examples/07_resume.cpp -o resume && ./resume robot.sspql
-// A robot that may be switched off at any moment. After every episode it saves what it learnt and how far it got; started
-// again it goes on from there, to the bit: kill it (kill -9) as often as you like, its last line is always the same.
-#include <algorithm>
+// A robot whose own loop owns the time, and that may be switched off at any moment. Only legal commands are chosen.
+// After every episode it saves what it learnt and how far it got; started again it goes on from there, to the bit: kill
+// it (kill -9) as often as you like, its last line is always the same.
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <sspql/io/checkpoint.hpp>
+#include <sspql/learn/agent.hpp>
+#include <sspql/spaces/hashed_state.hpp>
 #include <string>
-#include <sspql/sspql.hpp>
+#include <utility>
 
 using Cell = std::array<int, 2>;
-struct Room {  // 20 x 20 cells, the charger in the far corner; one move in ten goes astray
-    Cell at{};
-    sspql::Random chance{0};
-    Cell reset(std::uint64_t seed) { return chance = sspql::Random(seed), at = {0, 0}; }
-    sspql::Step<Cell> step(Cell move) {
+const sspql::ActionTable<Cell> moves{{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
+struct Robot {  // in a room of 20 x 20 cells, the charger in the far corner; one move in ten goes astray
+    Cell at{0, 0};
+    sspql::Random chance;
+    bool inside(Cell cell) const { return cell[0] >= 0 && cell[0] < 20 && cell[1] >= 0 && cell[1] < 20; }
+    Cell moved(Cell move) const { return {at[0] + move[0], at[1] + move[1]}; }
+    void drive(Cell move) {
         if (chance.chance(0.1)) std::swap(move[0], move[1]);
-        at = {std::clamp(at[0] + move[0], 0, 19), std::clamp(at[1] + move[1], 0, 19)};
-        const bool home = at == Cell{19, 19};
-        return {at, home ? 1.0 : 0.0, home, false};  // observation, reward, terminated, truncated
+        if (inside(moved(move))) at = moved(move);
+    }
+    bool home() const { return at == Cell{19, 19}; }
+    sspql::ActionSet legal() const {  // its bumpers say where it must not go
+        auto set = sspql::ActionSet::all(4);
+        for (std::size_t a = 0; a < 4; ++a) {
+            if (!inside(moved(moves.decode(sspql::action_id(a))))) set.erase(sspql::action_id(a));
+        }
+        return set;
     }
 };
 
@@ -28,8 +40,7 @@ struct CellHash {
 };
 
 struct Diary {  // saved in the same file as what was learnt: the two are never out of step
-    std::uint64_t episodes = 0;
-    std::uint64_t steps = 0;
+    std::uint64_t episodes = 0, steps = 0;
     template <class Archive>
     void serialize(Archive& archive) {
         archive(episodes, steps);
@@ -40,19 +51,27 @@ int main(int argc, char** argv) try {
     const std::string path = argc > 1 ? argv[1] : "robot.sspql";
     const std::uint64_t last = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 40;
 
-    Room room;
     // The number of cells is not known beforehand: they are discovered, and saved with the rest.
-    sspql::Agent robot(sspql::HashedState<Cell, CellHash>{}, sspql::ActionTable<Cell>{{1, 0}, {-1, 0}, {0, 1}, {0, -1}});
+    sspql::Agent brain(sspql::HashedState<Cell, CellHash>{}, moves);
     Diary diary;
-    if (argc > 1 && std::filesystem::exists(path)) sspql::load(path, robot, diary);
-    if (diary.episodes > 0) std::printf("going on after %llu episodes\n", static_cast<unsigned long long>(diary.episodes));
+    if (argc > 1 && std::filesystem::exists(path)) sspql::load(path, brain, diary);
+    if (diary.episodes > 0)
+        std::printf("going on after %llu episodes\n", static_cast<unsigned long long>(diary.episodes));
 
     while (diary.episodes < last) {
-        diary.steps += sspql::run_episode(room, robot, ++diary.episodes).steps;
-        sspql::save(robot, path, diary);
+        Robot robot{{0, 0}, sspql::Random(++diary.episodes)};
+        Cell move = brain.begin(robot.at, robot.legal());
+        for (;;) {
+            robot.drive(move);  // takes as long as it takes: nobody but this loop calls the brain
+            ++diary.steps;
+            if (robot.home()) break;
+            move = brain.step(0.0, robot.at, robot.legal());
+        }
+        brain.end(1.0, robot.at, true);  // after an emergency stop: brain.abort()
+        sspql::save(brain, path, diary);
     }
     std::printf("%llu episodes, %llu steps, %zu cells\n", static_cast<unsigned long long>(diary.episodes),
-                static_cast<unsigned long long>(diary.steps), robot.states().size());
+                static_cast<unsigned long long>(diary.steps), brain.states().size());
 } catch (const std::exception& error) {
     std::fprintf(stderr, "resume: %s\n", error.what());
     return 2;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <sspql/core/ids.hpp>
+#include <sspql/io/explain.hpp>
 #include <sspql/learn/transition.hpp>
 #include <sspql/spaces/action_set.hpp>
 
@@ -25,6 +26,7 @@ public:
     virtual void abort() noexcept = 0;
     [[nodiscard]] virtual ActionId best(StateId s) const = 0;
     [[nodiscard]] virtual ActionTerms terms(StateId s, ActionId a) const = 0;
+    [[nodiscard]] virtual Explanation explain(StateId s) const = 0;
     virtual void set_legal_actions(StateId s, const ActionSet& mask) = 0;
     [[nodiscard]] virtual std::uint64_t model_operations() const = 0;
 };
@@ -40,6 +42,7 @@ public:
     void abort() noexcept override { learner_.abort(); }
     [[nodiscard]] ActionId best(StateId s) const override { return learner_.best(s); }
     [[nodiscard]] ActionTerms terms(StateId s, ActionId a) const override { return learner_.terms(s, a); }
+    [[nodiscard]] Explanation explain(StateId s) const override { return sspql::explain(learner_, s); }
     void set_legal_actions(StateId s, const ActionSet& mask) override { learner_.set_legal_actions(s, mask); }
     [[nodiscard]] std::uint64_t model_operations() const override { return learner_.model_operations(); }
 

@@ -32,14 +32,7 @@ int action_of(const sim::PusherCommand& command) {
     return -1;
 }
 
-std::vector<report::ReplayTerms> terms_of(const AnyLearner& learner, StateId s, std::size_t actions) {
-    std::vector<report::ReplayTerms> all;
-    for (std::size_t a = 0; a < actions; ++a) {
-        const ActionTerms terms = learner.terms(s, action_id(a));
-        all.push_back({terms.q, terms.ssp, terms.exploration + terms.hint, terms.n});
-    }
-    return all;
-}
+double known(double distance) { return std::isfinite(distance) ? distance : -1.0; }
 
 }  // namespace
 
@@ -76,12 +69,24 @@ void MissionRecorder::add_choice(const sim::MissionMoment& moment, report::Repla
         const StateId s = sim::ApproachState::encode(seen);
         record.state = static_cast<int>(index(s));
         record.action = action_of<sim::ApproachActions>(*moment.command);
-        record.terms = terms_of(approach_, s, sim::ApproachActions::size());
+        add_reasons(approach_, s, record);
     } else if (moment.task == sim::SubTask::turn) {
         const StateId s = sim::TurnState::encode(seen);
         record.state = static_cast<int>(index(s));
         record.action = action_of<sim::TurnActions>(*moment.command);
-        record.terms = terms_of(turn_, s, sim::TurnActions::size());
+        add_reasons(turn_, s, record);
+    }
+}
+
+void MissionRecorder::add_reasons(const AnyLearner& learner, StateId s, report::ReplayMoment& record) const {
+    const Explanation why = learner.explain(s);
+    record.to_go = known(why.distance);
+    replay_.to_go_in_steps = why.distance_in_steps;
+    for (const ActionExplanation& a : why.actions) {
+        report::ReplayTerms terms{a.terms.q, a.terms.ssp, a.terms.exploration + a.terms.hint, a.terms.n};
+        if (a.likely != no_state) terms.next = static_cast<int>(index(a.likely));
+        terms.to_go = known(a.distance);
+        record.terms.push_back(terms);
     }
 }
 

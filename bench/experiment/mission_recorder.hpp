@@ -20,6 +20,7 @@ public:
 private:
     void add_command(const sim::MissionMoment& moment, report::ReplayMoment& record) const;
     void add_choice(const sim::MissionMoment& moment, report::ReplayMoment& record) const;
+    void add_reasons(const AnyLearner& learner, StateId s, report::ReplayMoment& record) const;
 
     const sim::PusherParams& world_;
     const AnyLearner& approach_;

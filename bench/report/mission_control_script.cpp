@@ -37,7 +37,14 @@ function commandText(m) {
   return (m.amount < 0 ? 'back ' : 'forward ') + size.toFixed(2) + ' m';
 }
 
+function toGoText(way) { return way < 0 ? 'no way known' : way.toFixed(mission.unit === 'steps' ? 1 : 3) + ' ' + mission.unit + ' to go'; }
+
 function cellText(m) {
+  const place = placeText(m);
+  return m.state < 0 ? place : place + '; ' + toGoText(m.toGo);
+}
+
+function placeText(m) {
   if (m.state < 0) return m.command < 0 ? '' : 'not a learnt sub-task: a rule decides';
   if (m.task === 2) return 'state ' + m.state + ' of 12: heading ' + m.state * 30 + ' deg';
   const place = Math.floor(m.state / 12);
@@ -68,12 +75,12 @@ function showWorth(m) {
     const parts = [t.q, t.ssp, t.more].map(v => v.toFixed(3)).join(' + ');
     const label = document.createElement('span'), value = document.createElement('span');
     const tried = document.createElement('small');
-    label.textContent = names[a] + ' ';
-    tried.textContent = 'tried ' + t.n + 'x';
-    label.append(tried);
+    label.textContent = names[a];
+    tried.textContent = t.n === 0 ? 'never tried' : 'tried ' + t.n + 'x' +
+      (t.next < 0 ? '' : ', leads to ' + t.next + ', ' + toGoText(t.toGo));
     value.textContent = parts + ' = ' + sums[a].toFixed(3);
     value.className = 'value';
-    row.append(label, value, bar);
+    row.append(label, value, bar, tried);
     box.append(row);
   });
 }
@@ -223,7 +230,8 @@ async function selftest() {
   check('another mission can be picked', mission === data.missions[data.missions.length - 1] && clock === 0);
   key('n'); check('... also by key', mission === data.missions[0]);
   const learnt = mission.moments.findIndex(m => m.terms.length > 0);
-  if (learnt >= 0) { seek(mission.moments[learnt].t); check('action values are shown', el('worth').children.length > 1); }
+  if (learnt >= 0) { seek(mission.moments[learnt].t); check('action values are shown', el('worth').children.length > 1);
+    check('... and where actions lead', mission.moments.some((m, i) => { showPanel(i); return /leads to \d+, .* to go/.test(el('worth').textContent); })); }
   const full = picture().split(':')[0];
   el('show-camera').click(); el('show-sonars').click();
   check('sensors can be hidden', picture().split(':')[0] !== full);

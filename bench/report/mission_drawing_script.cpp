@@ -17,12 +17,12 @@ function moment(row) {
   const pose = i => ({x: mm(i), y: mm(i + 1), a: mm(i + 2)});
   const belief = i => row[i + 2] < 0 ? null : {x: mm(i), y: mm(i + 1), d: mm(i + 2)};
   const terms = [];
-  for (let i = 39; i < row.length; i += 4) {
-    terms.push({q: mm(i), ssp: mm(i + 1), more: mm(i + 2), n: row[i + 3]});
+  for (let i = 40; i < row.length; i += 6) {
+    terms.push({q: mm(i), ssp: mm(i + 1), more: mm(i + 2), n: row[i + 3], next: row[i + 4], toGo: mm(i + 5)});
   }
   return {task: row[0], attempt: row[1], robot: pose(2), box: pose(5), odometry: pose(8), boxBelief: belief(11),
     goalBelief: belief(14), boxSeen: (row[17] & 1) > 0, goalSeen: (row[17] & 2) > 0, seconds: mm(18),
-    command: row[19], amount: mm(20), state: row[21], action: row[22], sonars: row.slice(23, 39).map(v => v / 100),
+    command: row[19], amount: mm(20), state: row[21], action: row[22], toGo: mm(23), sonars: row.slice(24, 40).map(v => v / 100),
     terms: terms};
 }
 for (const m of data.missions) {

@@ -57,11 +57,11 @@ border:1px solid var(--ink-grid);border-top-width:5px}
 #doing{font-size:1.15rem;font-weight:600;margin:.2rem 0;min-height:2.6em;line-height:1.3}
 #player dl{grid-template-columns:1fr max-content;font-size:.875rem;font-variant-numeric:tabular-nums}
 #cell{font-size:.875rem;color:var(--ink-faint);min-height:3.2em;margin:.9rem 0 .3rem;line-height:1.4}
-#worth{min-height:11.5rem}
+#worth{min-height:16rem}
 .action{display:grid;grid-template-columns:1fr max-content;gap:0 .5rem;font-size:.8125rem;padding:.2rem .35rem;
 border-left:4px solid transparent}
 .action.chosen{border-left-color:var(--ink-text);font-weight:600}
-.action small{font-size:.6875rem;color:var(--ink-faint);font-weight:400}
+.action small{grid-column:1/-1;font-size:.6875rem;color:var(--ink-faint);font-weight:400}
 .action span{white-space:nowrap}
 .action .value{font-variant-numeric:tabular-nums;text-align:right;font-size:.75rem}
 .bar{grid-column:1/-1;display:flex;height:9px;background:var(--ink-grid);border-radius:2px;overflow:hidden}

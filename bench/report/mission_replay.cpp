@@ -55,12 +55,15 @@ std::string moment_json(const ReplayMoment& moment) {
     row.add(moment.amount, 1e-3);
     row.add(moment.state);
     row.add(moment.action);
+    row.add(moment.to_go, 1e-3);
     for (const double sonar : moment.sonars_m) row.add(sonar, 1e-2);
     for (const ReplayTerms& terms : moment.terms) {
         row.add(terms.q, 1e-3);
         row.add(terms.ssp, 1e-3);
         row.add(terms.exploration, 1e-3);
         row.add(std::fmin(terms.tries, 1e6), 1.0);
+        row.add(terms.next);
+        row.add(terms.to_go, 1e-3);
     }
     return row.text();
 }
@@ -88,6 +91,7 @@ std::string replay_json(const ReplayStage& stage, const std::vector<MissionRepla
                                              {"outcome", replay.outcome},
                                              {"won", replay.in_goal},
                                              {"first", replay.first_push},
+                                             {"unit", replay.to_go_in_steps ? "steps" : "of cost"},
                                              {"goal", {replay.goal.x_m, replay.goal.y_m}}};
         std::string text = dumped(head);
         text.pop_back();

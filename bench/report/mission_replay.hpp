@@ -14,12 +14,14 @@
 
 namespace sspql::report {
 
-/// The terms of one action's worth, as the learner adds them.
+/// The terms of one action's worth, as the learner adds them, and where the action leads.
 struct ReplayTerms {
     double q = 0.0;
     double ssp = 0.0;
     double exploration = 0.0;
     double tries = 0.0;
+    int next = -1;        ///< the state it led to most often; -1: not known
+    double to_go = -1.0;  ///< from there to the goal; -1: no way is known
 };
 
 /// Where a thing is believed to be.
@@ -46,6 +48,7 @@ struct ReplayMoment {
     double amount = 0.0;               ///< metres or radians
     int state = -1;                    ///< of the learnt sub-task
     int action = -1;                   ///< ... that was chosen
+    double to_go = -1.0;               ///< ... to its goal, by the shortest path learnt; -1: no way is known
     std::vector<ReplayTerms> terms{};  ///< ... by action
 };
 
@@ -54,6 +57,7 @@ struct MissionReplay {
     std::string outcome;     ///< in words
     bool in_goal = false;
     bool first_push = false;
+    bool to_go_in_steps = true;  ///< else in costs of eq. 2
     ArenaPose goal{};
     std::vector<ReplayMoment> moments;
 };

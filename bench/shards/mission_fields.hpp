@@ -41,11 +41,13 @@ void fields(Io& io, Like<Io, report::LearntMap>& map) {
 
 template <class Io>
 void fields(Io& io, Like<Io, report::ReplayTerms>& terms) {
-    auto& [q, ssp, exploration, tries] = terms;
+    auto& [q, ssp, exploration, tries, next, to_go] = terms;
     io("q", q);
     io("ssp", ssp);
     io("exploration", exploration);
     io("tries", tries);
+    io("next", next);
+    io("to_go", to_go);
 }
 
 template <class Io>
@@ -59,7 +61,7 @@ void fields(Io& io, Like<Io, report::ReplayBelief>& belief) {
 template <class Io>
 void fields(Io& io, Like<Io, report::ReplayMoment>& moment) {
     auto& [task, attempt, robot, box, odometry, box_belief, goal_belief, box_seen, goal_seen, sonars, seconds, command,
-           amount, state, action, terms] = moment;
+           amount, state, action, to_go, terms] = moment;
     io("task", task);
     io("attempt", attempt);
     io("robot", robot);
@@ -75,16 +77,18 @@ void fields(Io& io, Like<Io, report::ReplayMoment>& moment) {
     io("amount", amount);
     io("state", state);
     io("action", action);
+    io("to_go", to_go);
     io("terms", terms);
 }
 
 template <class Io>
 void fields(Io& io, Like<Io, report::MissionReplay>& replay) {
-    auto& [number, outcome, in_goal, first_push, goal, moments] = replay;
+    auto& [number, outcome, in_goal, first_push, to_go_in_steps, goal, moments] = replay;
     io("number", number);
     io("outcome", outcome);
     io("in_goal", in_goal);
     io("first_push", first_push);
+    io("to_go_in_steps", to_go_in_steps);
     io("goal", goal);
     io("moments", moments);
 }

@@ -69,7 +69,8 @@ MissionReplay replay() {
     replay.moments = {moment_of(0), moment_of(1), moment_of(3)};
     replay.moments[1].state = 42;
     replay.moments[1].action = 1;
-    replay.moments[1].terms = {{0.5, 0.25, 0.1, 3.0}, {0.75, 0.0, 0.05, 12.0}};
+    replay.moments[1].to_go = 3.25;
+    replay.moments[1].terms = {{0.5, 0.25, 0.1, 3.0, 17, 2.5}, {0.75, 0.0, 0.05, 12.0}};
     return replay;
 }
 
@@ -134,8 +135,9 @@ TEST(ReplayJson, IsCompactWholeNumbersAndCannotEndTheScript) {
     ASSERT_EQ(json["missions"].size(), 2u);
     EXPECT_EQ(json["missions"][0]["outcome"], "given up: </script><b>");
     EXPECT_EQ(json["missions"][0]["n"], 7);
+    EXPECT_EQ(json["missions"][0]["unit"], "steps");
     const auto& first = json["missions"][0]["moments"][0];
-    ASSERT_EQ(first.size(), 39u);
+    ASSERT_EQ(first.size(), 40u);
     EXPECT_EQ(first[2], -1000);
     EXPECT_EQ(first[4], 250);
     EXPECT_EQ(first[11], 260);
@@ -144,12 +146,17 @@ TEST(ReplayJson, IsCompactWholeNumbersAndCannotEndTheScript) {
     EXPECT_EQ(first[18], 850);
     EXPECT_EQ(first[20], 300);
     EXPECT_EQ(first[21], -1);
-    EXPECT_EQ(first[38], 123);
+    EXPECT_EQ(first[23], -1000);  // no way to a goal is known
+    EXPECT_EQ(first[39], 123);
     const auto& choice = json["missions"][0]["moments"][1];
-    ASSERT_EQ(choice.size(), 39u + 8u);
+    ASSERT_EQ(choice.size(), 40u + 12u);
     EXPECT_EQ(choice[21], 42);
-    EXPECT_EQ(choice[40], 250);
-    EXPECT_EQ(choice[46], 12);
+    EXPECT_EQ(choice[23], 3250);
+    EXPECT_EQ(choice[41], 250);
+    EXPECT_EQ(choice[44], 17);
+    EXPECT_EQ(choice[45], 2500);
+    EXPECT_EQ(choice[49], 12);
+    EXPECT_EQ(choice[50], -1);  // never seen to lead anywhere
 }
 
 TEST(MissionMap, DrawsAWedgeForEveryKnownState) {

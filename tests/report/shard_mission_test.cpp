@@ -48,7 +48,8 @@ report::ReplayMoment moment_of(Numbers& next) {
     moment.amount = next.real();
     moment.state = next.whole();
     moment.action = next.whole();
-    for (int a = next.whole() % 4; a > 0; --a) moment.terms.push_back({next.real(), 5e-324, -0.0, next.real()});
+    moment.to_go = next.real();
+    for (int a = next.whole() % 4; a > 0; --a) moment.terms.push_back({next.real(), 5e-324, -0.0, next.real(), next.whole(), next.real()});
     return moment;
 }
 
@@ -79,7 +80,7 @@ report::MissionFindings mission_findings() {
     results.curves = {{"one", {awkward_run(30), awkward_run(31)}}, {"other", {awkward_run(40), awkward_run(41)}}};
     results.map = {{-1, 3, 2}, {"ahead", "back"}};
     for (std::size_t k = 0; k < 5; ++k) {
-        report::MissionReplay replay{k + 1, next.word(), next.flag(), next.flag(), next.pose(), {}};
+        report::MissionReplay replay{k + 1, next.word(), next.flag(), next.flag(), next.flag(), next.pose(), {}};
         for (std::size_t i = 0; i <= 3 * k; ++i) replay.moments.push_back(moment_of(next));
         results.replays.push_back(replay);
     }
@@ -147,6 +148,7 @@ Text all_of(const report::MissionFindings& findings) {
         add(text, replay.outcome);
         add(text, replay.in_goal);
         add(text, replay.first_push);
+        add(text, replay.to_go_in_steps);
         add(text, replay.goal);
         for (const report::ReplayMoment& m : replay.moments) {
             for (const int number : {m.task, m.attempt, m.command, m.state, m.action}) add(text, number);
@@ -158,8 +160,10 @@ Text all_of(const report::MissionFindings& findings) {
             for (const double sonar : m.sonars_m) add(text, sonar);
             add(text, m.seconds);
             add(text, m.amount);
+            add(text, m.to_go);
             for (const report::ReplayTerms& t : m.terms) {
-                for (const double term : {t.q, t.ssp, t.exploration, t.tries}) add(text, term);
+                for (const double term : {t.q, t.ssp, t.exploration, t.tries, t.to_go}) add(text, term);
+                add(text, t.next);
             }
         }
     }
