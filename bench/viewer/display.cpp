@@ -13,7 +13,7 @@ namespace sspql::viewer {
 
 #ifdef SSPQL_HAS_X11
 
-void require_display() {
+DisplayConnection::DisplayConnection() {
     const char* name = std::getenv("DISPLAY");
     if (name == nullptr || *name == '\0') {
         throw std::runtime_error(
@@ -24,14 +24,19 @@ void require_display() {
     int opcode = 0;
     int event = 0;
     int error = 0;
-    const bool draws = XQueryExtension(display, "GLX", &opcode, &event, &error) != 0;
-    XCloseDisplay(display);
-    if (!draws) throw std::runtime_error("the display '" + std::string(name) + "' has no OpenGL (GLX)");
+    if (XQueryExtension(display, "GLX", &opcode, &event, &error) == 0) {
+        XCloseDisplay(display);
+        throw std::runtime_error("the display '" + std::string(name) + "' has no OpenGL (GLX)");
+    }
+    display_ = display;
 }
+
+DisplayConnection::~DisplayConnection() { XCloseDisplay(static_cast<Display*>(display_)); }
 
 #else
 
-void require_display() {}
+DisplayConnection::DisplayConnection() = default;
+DisplayConnection::~DisplayConnection() = default;
 
 #endif
 

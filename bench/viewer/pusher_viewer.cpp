@@ -134,7 +134,7 @@ int body(int argc, char** argv) {
         report::require_writable(png);
     }
     const std::string font = viewer::font_file(options.font);
-    viewer::require_display();
+    const viewer::DisplayConnection display;
     while (run.episodes().size() < static_cast<std::size_t>(options.skip) && !run.is_over()) run.tick();
 
     LiveSession session(std::move(run), Pace(options.speed));

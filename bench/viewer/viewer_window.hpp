@@ -12,8 +12,8 @@
 namespace sspql::viewer {
 
 /// The window: hands keys to the session and draws it. A font NAME.ttf is joined by NAME-Bold.ttf, if there is one.
-/// \throws std::runtime_error (constructor) if the font cannot be
-/// used or no window can be opened; call require_display first.
+/// \throws std::runtime_error (constructor) if the font cannot be used or no window can be opened; hold a
+/// DisplayConnection.
 class ViewerWindow {
 public:
     ViewerWindow(const std::string& font, PanelCaption caption);

@@ -158,8 +158,8 @@ press() { xdotool key "$@"; }
 
 "$1" --backend kinematic --learners q,sspql,adaptive --speed 1 --episodes 1000000 --screenshot "$2/keys.png" >"$2/keys.out" &
 viewer=$!
-window=$(xdotool search --sync --name '^pusher_viewer: ' | head -1)
-xdotool windowfocus --sync "$window"
+window=$(timeout 120 xdotool search --sync --name '^pusher_viewer: ' | head -1)
+timeout 60 xdotool windowfocus --sync "$window"
 
 shows 'pusher_viewer: q, seed 1, episode 1,' || { echo "the title is '$(title)'"; exit 1; }
 press Up Up Up Up Up
