@@ -20,16 +20,21 @@ group != "" && /^\}  \/\/ namespace sspql(::sim)?$/ { $0 = "/** \\} */ " $0 }
 ours { gsub(/[A-Z][a-z0-9]+[A-Z][A-Za-z]*/, (group ~ /^sim/ ? "sspql::sim::&" : "sspql::&")) }
 /\/\/\/<? [^ ]/ {
     comment = substr($0, at = index($0, "///"))
-    gsub(/eq\. /, "eq.\\\\ ", comment)
-    gsub(/eqs\. /, "eqs.\\\\ ", comment)
-    gsub(/Fig\. /, "Fig.\\\\ ", comment)
-    gsub(/ \.\. /, " ..\\\\ ", comment)
+    while (match(comment, /([Ee]qs?|Figs?| \.)\. /)) {
+        comment = substr(comment, 1, RSTART + RLENGTH - 2) "\\ " substr(comment, RSTART + RLENGTH)
+    }
     if (match(comment, /docs\/[a-z-]+\.md/)) {
         name = substr(comment, RSTART + 5, RLENGTH - 8)
         comment = substr(comment, 1, RSTART - 1) "[docs/" name ".md](@ref " name ")" substr(comment, RSTART + RLENGTH)
     }
+    # The words that tell what a sentence is about begin a line, in bold.
+    if (match(comment, /^\/\/\/ (Ids|Memory|Complexity|Allocation|Errors|Threads|Chance|Deviation|Known limits?)( [a-z ]+)?:/) ||
+        match(comment, /^\/\/\/ Interface, errors and threads:/)) {
+        comment = (after_text ? "/// \\n **" : "/// **") substr(comment, 5, RLENGTH - 4) "**" substr(comment, RLENGTH + 1)
+    }
     $0 = substr($0, 1, at - 1) comment
 }
+{ after_text = /^ *\/\/\/ [^ ]/ }
 /\\file$/ { has_file = 1 }
 /^ *template <.*>$/ {
     template = $0

@@ -34,29 +34,38 @@ function page_named(path) {
     if (path !~ /(^|\/)README\.md$/) return page_of(path)
     return path ~ /docs\// || (in_docs && path !~ /^\.\.\//) ? "contents" : "readme"
 }
-FNR == 1 {
-    in_docs = FILENAME ~ /\/docs\/[^\/]*$/
-    contents = FILENAME ~ /\/docs\/README\.md$/
-    page = contents ? "contents" : page_of(FILENAME)
-}
-/^ *```/ { fenced = !fenced }
-!fenced && /^#+ / {
-    name = /^# / && !titled ? page : page "-" slug_of(substr($0, index($0, " ") + 1))
-    if (/^# /) titled = 1
-    print $0 " {#" name (used[name]++ ? "-" used[name] - 1 : "") "}"
-    next
-}
-!fenced && !/^    / {
-    rest = $0
-    $0 = ""
+function with_references(rest,    done, link, at, target) {
     while (match(rest, /!?\[[^]]*\]\([^() ]*\)/)) {
         link = substr(rest, RSTART, RLENGTH)
         at = index(link, "](")
         target = substr(link, at + 2, length(link) - at - 2)
-        if (link !~ /^!/ && target ~ /[.#]/ && target !~ /^[a-z]+:/) link = reference(substr(link, 2, at - 2), target)
-        $0 = $0 substr(rest, 1, RSTART - 1) link
+        done = done substr(rest, 1, RSTART - 1)
         rest = substr(rest, RSTART + RLENGTH)
+        if (link !~ /^!/ && target ~ /[.#]|^examples/ && target !~ /^[a-z]+:/) {
+            link = reference(substr(link, 2, at - 2), target)
+        }
+        done = done link
     }
-    $0 = $0 rest
+    return done rest
 }
-{ print }
+{ line[FNR] = $0 }
+END {
+    in_docs = FILENAME ~ /\/docs\/[^\/]*$/
+    contents = FILENAME ~ /\/docs\/README\.md$/
+    page = contents ? "contents" : page_of(FILENAME)
+    for (i = 1; i <= FNR; i++) {
+        if (line[i] ~ /^ *```/) fenced = !fenced
+        if (fenced || line[i] ~ /^    /) {
+            print line[i]
+        } else if (line[i] ~ /^#+ /) {
+            name = line[i] ~ /^# / && !titled ? page : page "-" slug_of(substr(line[i], index(line[i], " ") + 1))
+            if (line[i] ~ /^# /) titled = 1
+            print line[i] " {#" name (used[name]++ ? "-" used[name] - 1 : "") "}"
+        } else {
+            # References need their words on one line; the lines taken are given back where the paragraph ends.
+            for (text = line[i]; text ~ /\[[^]]*$/ && line[i + 1] ~ /^[^][|]*\]\(/; owed++) text = text " " line[++i]
+            print with_references(text)
+            if (text == "") for (; owed > 0; owed--) print ""
+        }
+    }
+}

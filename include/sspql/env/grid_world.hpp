@@ -184,7 +184,7 @@ public:
 
     /// The map as it is now.
     [[nodiscard]] const GridMap& map() const noexcept { return map_; }
-    /// As given.
+    /// Slip and rewards, as given.
     [[nodiscard]] const GridWorldParams& params() const noexcept { return params_; }
 
     /// Where the agent is; no_state before the first reset().

@@ -94,7 +94,7 @@ public:
 
     /// Where the car is and how fast it goes.
     [[nodiscard]] const Observation& observation() const noexcept { return at_; }
-    /// As given.
+    /// Ticks and rewards, as given.
     [[nodiscard]] const MountainCarParams& params() const noexcept { return params_; }
 
 private:

@@ -43,7 +43,7 @@ public:
 
     /// Steps made in this episode.
     [[nodiscard]] std::size_t steps() const noexcept { return steps_; }
-    /// As given.
+    /// The number of steps after which an episode is cut.
     [[nodiscard]] std::size_t max_steps() const noexcept { return max_steps_; }
     /// The inner environment.
     [[nodiscard]] Environment& environment() noexcept { return environment_; }

@@ -151,7 +151,7 @@ public:
     /// Number of the running episode, or of the one that begins next.
     [[nodiscard]] std::uint64_t episode() const noexcept { return episode_; }
 
-    /// As given.
+    /// Where the log is, as it was opened.
     [[nodiscard]] const std::string& path() const noexcept { return path_; }
 
 private:

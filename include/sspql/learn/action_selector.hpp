@@ -145,7 +145,7 @@ public:
         return sum / total;
     }
 
-    /// As given.
+    /// The upper end of the noise, > 0.
     [[nodiscard]] double noise() const noexcept { return noise_; }
 
 private:
@@ -230,7 +230,7 @@ public:
         return epsilon_ * all / static_cast<double>(choices) + (1.0 - epsilon_) * best / static_cast<double>(equals);
     }
 
-    /// As given.
+    /// How often the choice is random, in [0, 1].
     [[nodiscard]] double epsilon() const noexcept { return epsilon_; }
 
 private:
@@ -295,7 +295,7 @@ public:
         return sum / total;
     }
 
-    /// As given.
+    /// The temperature, > 0, in the unit of the scores.
     [[nodiscard]] double temperature() const noexcept { return temperature_; }
 
 private:

@@ -63,7 +63,7 @@ class AdaptiveSspql : public PlanRenewal<AdaptiveSspql<Policies>, Policies, Adap
     friend SerializationAccess;
 
 public:
-    /// What it is given.
+    /// Its parameters, by name.
     using Params = AdaptiveParams<Policies>;
     static constexpr const char* type_name = "adaptive SSPQL";  ///< in checkpoints
 

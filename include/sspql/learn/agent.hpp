@@ -52,7 +52,7 @@ class Agent {
                   "sspql: this ActionPolicy lacks `Command decode(sspql::ActionId) const`");
 
 public:
-    /// What the learner is given.
+    /// The learner's parameters, by name.
     using Params = typename Learner::Params;
     /// What the robot is told to do: what the ActionPolicy decodes to.
     using Command = CommandOf<ActionPolicy>;

@@ -31,7 +31,7 @@ struct DynaQParams : ModelParams<Policies> {
     /// The learner these are for, which Agent deduces.
     using Learner = DynaQ<Policies>;
 
-    std::size_t planning_steps = 10;      ///< k
+    std::size_t planning_steps = 10;      ///< k, after each real step
     Replay replay = Replay::from_counts;  ///< what a planning step replays
 
     template <class Archive>
@@ -57,7 +57,7 @@ class DynaQ : public ModelLearner<DynaQ<Policies>, Policies, DynaQParams<Policie
     friend SerializationAccess;
 
 public:
-    /// What it is given.
+    /// Its parameters, by name.
     using Params = DynaQParams<Policies>;
     static constexpr const char* type_name = "Dyna-Q";  ///< in checkpoints
 

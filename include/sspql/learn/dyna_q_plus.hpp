@@ -25,7 +25,7 @@ struct DynaQPlusParams : ValueParams<Policies> {
     /// The learner these are for, which Agent deduces.
     using Learner = DynaQPlus<Policies>;
 
-    std::size_t planning_steps = 10;  ///< k
+    std::size_t planning_steps = 10;  ///< k, after each real step
     double time_bonus = 1e-4;         ///< reward for what was not tried for long: time_bonus sqrt(steps since)
 
     template <class Archive>
@@ -49,7 +49,7 @@ class DynaQPlus : public ValueLearner<DynaQPlus<Policies>, Policies, DynaQPlusPa
     friend SerializationAccess;
 
 public:
-    /// What it is given.
+    /// Its parameters, by name.
     using Params = DynaQPlusParams<Policies>;
     static constexpr const char* type_name = "Dyna-Q+";  ///< in checkpoints
 

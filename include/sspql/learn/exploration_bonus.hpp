@@ -24,7 +24,7 @@ public:
         return detail::Tabulated::covers(n) ? table_[n] : compute(n);
     }
 
-    /// As given.
+    /// The exponent, >= 0.
     [[nodiscard]] double eta() const noexcept { return eta_; }
 
 private:

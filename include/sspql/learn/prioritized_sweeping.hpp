@@ -59,7 +59,7 @@ class PrioritizedSweeping
     friend SerializationAccess;
 
 public:
-    /// What it is given.
+    /// Its parameters, by name.
     using Params = PrioritizedSweepingParams<Policies>;
     static constexpr const char* type_name = "prioritized sweeping";  ///< in checkpoints
 

@@ -36,7 +36,7 @@ class QLearning : public ValueLearner<QLearning<Policies>, Policies, QLearningPa
     friend SerializationAccess;
 
 public:
-    /// What it is given.
+    /// Its parameters, by name.
     using Params = QLearningParams<Policies>;
     static constexpr const char* type_name = "Q-learning";  ///< in checkpoints
 

@@ -54,7 +54,7 @@ class RMax : public SweepingLearner<RMax<Policies>, Policies, RMaxParams<Policie
     friend SerializationAccess;
 
 public:
-    /// What it is given.
+    /// Its parameters, by name.
     using Params = RMaxParams<Policies>;
     static constexpr const char* type_name = "R-Max";  ///< in checkpoints
 

@@ -34,7 +34,7 @@ class Rtdp : public ModelLearner<Rtdp<Policies>, Policies, RtdpParams<Policies>>
     friend SerializationAccess;
 
 public:
-    /// What it is given.
+    /// Its parameters, by name.
     using Params = RtdpParams<Policies>;
     static constexpr const char* type_name = "RTDP";  ///< in checkpoints
 

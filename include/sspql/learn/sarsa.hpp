@@ -44,7 +44,7 @@ class Sarsa : public ValueLearner<Sarsa<Policies>, Policies, SarsaParams<Policie
     friend SerializationAccess;
 
 public:
-    /// What it is given.
+    /// Its parameters, by name.
     using Params = SarsaParams<Policies>;
     static constexpr const char* type_name = "Sarsa";  ///< in checkpoints
 

@@ -50,7 +50,7 @@ public:
     /// An exponential of the visits.
     Schedule(ExponentialDecay rule) : Schedule(Rule(rule)) {}          // NOLINT(google-explicit-constructor)
 
-    /// Any of them.
+    /// Whichever rule it is.
     explicit Schedule(const Rule& rule)
         : rule_(checked(rule)), table_([this](std::uint64_t n) { return compute(n); }) {}
 
@@ -59,7 +59,7 @@ public:
         return detail::Tabulated::covers(n) ? table_[n] : compute(n);
     }
 
-    /// As given.
+    /// The rule it was made from.
     [[nodiscard]] const Rule& rule() const noexcept { return rule_; }
 
     /// Whether the factor is the same after any number of visits.

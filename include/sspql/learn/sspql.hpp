@@ -130,7 +130,7 @@ class Sspql : public ValueLearner<Sspql<Policies>, Policies, SspqlParams<Policie
     static_assert(detail::QueueRequirements<typename Policies::Queue>::met);
 
 public:
-    /// What it is given.
+    /// Its parameters, by name.
     using Params = SspqlParams<Policies>;
     static constexpr const char* type_name = "SSPQL";  ///< in checkpoints
     /// What it counts in.

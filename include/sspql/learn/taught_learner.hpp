@@ -27,7 +27,7 @@ class TaughtLearner : public Learner<Derived, typename Policies::LegalActions> {
                   "Random&) const`");
 
 public:
-    /// What it is given.
+    /// Its parameters, by name.
     using Params = ParamsType;
 
     /// A trainer's hint: in s, take a. `strength` adds to the action's score (a reached goal that pays 1 is worth up to
@@ -51,7 +51,7 @@ public:
     /// How often each (s,a) was taken; since the last set_goals, for learners with a Q table of their own
     /// (ValueLearner).
     [[nodiscard]] const VisitCounts& visits() const noexcept { return visits_; }
-    /// What it was given.
+    /// Its parameters, as given.
     [[nodiscard]] const Params& params() const noexcept { return params_; }
 
 protected:

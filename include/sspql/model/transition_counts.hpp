@@ -60,7 +60,7 @@ public:
     /// One (s,s') that was observed. A view: valid until the next record, erase or grow.
     class Successor {
     public:
-        /// s'.
+        /// The next state, s'.
         [[nodiscard]] StateId state() const noexcept { return edge_.block.state(edge_.at); }
 
         /// N(s,a,s').

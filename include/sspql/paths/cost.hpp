@@ -34,7 +34,7 @@ public:
         return weight * std::exp(-lambda_ * probability);
     }
 
-    /// As given.
+    /// lambda, >= 0.
     [[nodiscard]] double lambda() const noexcept { return lambda_; }
 
 private:
@@ -73,7 +73,7 @@ public:
         return weight - lambda_ * std::log(std::min(probability, 1.0));
     }
 
-    /// As given.
+    /// lambda, >= 0.
     [[nodiscard]] double lambda() const noexcept { return lambda_; }
 
 private:
@@ -92,7 +92,7 @@ private:
 struct HopCount {
     static constexpr const char* type_name = "hop count";  ///< in checkpoints
 
-    /// 1.
+    /// EC = 1, whatever the edge.
     [[nodiscard]] double operator()(double /*weight*/, double /*probability*/) const noexcept { return 1.0; }
 };
 

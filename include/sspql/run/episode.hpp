@@ -23,7 +23,7 @@ struct EpisodeResult {
 
 /// Does nothing; what run_episode calls after each step, and run_episodes after each episode, unless told otherwise.
 struct NoCallback {
-    /// Nothing.
+    /// Does nothing.
     template <class... What>
     void operator()(const What&...) const noexcept {}
 };

@@ -58,7 +58,7 @@ inline constexpr std::size_t heading_bins = 12;   ///< of 30 degrees, bin 0 cent
 inline constexpr std::size_t push_sector = 6;     ///< sector A of Fig. 7: behind the box, seen from the goal
 inline constexpr double inner_ring_edge_m = 0.7;  ///< between rings 0 and 1
 inline constexpr double outer_ring_edge_m = 1.0;  ///< between rings 1 and 2
-inline constexpr std::size_t box_states = box_rings * box_sectors * heading_bins;  ///< 432
+inline constexpr std::size_t box_states = box_rings * box_sectors * heading_bins;  ///< cells of Fig. 7: 432
 
 /// One cell of Fig. 7.
 struct BoxCell {

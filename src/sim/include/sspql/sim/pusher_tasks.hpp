@@ -75,7 +75,7 @@ public:
     [[nodiscard]] Backend& backend() noexcept { return backend_; }
     /// The world, to look at it.
     [[nodiscard]] const Backend& backend() const noexcept { return backend_; }
-    /// As given.
+    /// The numbers of the world.
     [[nodiscard]] const PusherParams& params() const noexcept { return backend_.params(); }
 
 protected:

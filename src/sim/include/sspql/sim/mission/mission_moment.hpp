@@ -22,7 +22,7 @@ struct MissionMoment {
 
 /// Looks at nothing; what Mission::run shows its moments unless told otherwise.
 struct NoMissionObserver {
-    /// Nothing.
+    /// Does nothing.
     void operator()(const MissionMoment&) const noexcept {}
 };
 

@@ -48,7 +48,7 @@ public:
         return odometer_.read(before, after, random_);
     }
 
-    /// As given.
+    /// Reach and errors of all sensors.
     [[nodiscard]] const SensorParams& params() const noexcept { return params_; }
     /// The range finder, which knows its beams' bearings.
     [[nodiscard]] const RangeFinder& range_finder() const noexcept { return finder_; }
