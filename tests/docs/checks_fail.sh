@@ -96,6 +96,8 @@ change 's/3rd/4th/'
 fails 'docs/README.md:1: docs/page.md has no heading #its-3rd-part'
 change '1s/$/ [x](gone.md)/'
 fails 'docs/page.md:1: there is no gone.md'
+change '2s/$/[two\nlines](page.md)/'
+fails "docs/page.md:3: a link's text must stand on one line"
 fresh
 echo >"$work/root/docs/lost.md"
 fails 'docs/README.md does not list docs/lost.md'

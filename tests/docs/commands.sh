@@ -70,7 +70,7 @@ while IFS="$(printf '\t')" read -r where command; do
         --learners | --learner | --maps)
             if [ -n "$help" ]; then
                 for name in $(printf '%s' "$word" | tr ',' ' '); do
-                    case $name in *.txt | */* | [A-Z]* | '*' | '...' | walls[0-9]*) continue ;; esac
+                    case $name in *.txt | */* | [A-Z]* | '*' | '...' | '$'* | walls[0-9]*) continue ;; esac
                     known "${name%%:*}" "$help" || complain "$word: no '$name' in ${help##*/}"
                 done
             fi

@@ -7,7 +7,7 @@
 #     <!-- printed by NAME, checked by a test -->       the program prints this (NAME or examples/FILE.cpp)
 #     <!-- file NAME, used by a test -->                a file that a user writes, such as CMakeLists.txt
 #
-# A line `// ...` (or `...` in what is printed) in a quotation stands for lines left out. Writes to DIR:
+# Python is left to tests/python/manual_test.py. A line `// ...` (or `...` in what is printed) in a quotation stands for lines left out. Writes to DIR:
 #     programs/NAME.cpp, files/NAME      the programs and files
 #     quotes/N, index                    a quotation each; the index has lines "KIND TARGET N PAGE:LINE"
 #     errors                             what is wrong with the pages, a line each; empty if nothing
@@ -47,7 +47,9 @@ FNR == 1 {
     sub(/^<!-- /, "", what)
     sub(/, (run|checked|used) by a test -->$/, "", what)
     name = what
-    if (what ~ /^program [a-z][a-z0-9_]*$/) {
+    if (what ~ /\.py$/) {
+        target = ""
+    } else if (what ~ /^program [a-z][a-z0-9_]*$/) {
         sub(/^program /, "", name)
         target = out "/programs/" name ".cpp"
         if ((name in owner) && owner[name] != page) complain(place(FNR), "program " name " is " owner[name] "'s")
