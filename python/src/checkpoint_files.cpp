@@ -47,6 +47,9 @@ CheckpointType checkpoint_type(std::string_view bytes, const std::string& name) 
         reader.size(type.actions);
         reader(grows);
         if (grows) reader.refuse("the states of this learner grow in number; in Python that number is fixed");
+        // Each (s,a) takes 12 bytes at least; memory is only asked for where there is a file to fill it.
+        reader.require(type.actions > 0 && type.states <= reader.left() / 12 / type.actions,
+                       "there are more states than the file has room for");
     });
     return type;
 }

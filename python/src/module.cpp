@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -32,22 +33,33 @@ const std::vector<Kind>& kinds() {
     return all;
 }
 
-const Kind& find(const std::string& text, std::string Kind::*member, const char* what) {
+const Kind* find(const std::string& text, std::string Kind::*member) {
     const auto found = std::find_if(kinds().begin(), kinds().end(), [&](const Kind& k) { return k.*member == text; });
-    if (found == kinds().end()) throw_invalid(what, "be one of this library's", text);
-    return *found;
+    return found == kinds().end() ? nullptr : &*found;
+}
+
+const Kind& kind_named(const std::string& name) {
+    const Kind* kind = find(name, &Kind::name);
+    if (kind == nullptr) throw_invalid("kind", "be the name of a learner", name);
+    return *kind;
+}
+
+const Kind& kind_of(const CheckpointType& type, const std::string& name) {
+    const Kind* kind = find(type.type_name, &Kind::type_name);
+    if (kind == nullptr) throw std::runtime_error("checkpoint " + name + ": holds a learner that Python does not have");
+    return *kind;
 }
 
 Learner make(const std::string& kind_name, Number states, Number actions, std::uint64_t seed, const std::string& preset,
              const py::dict& parameters) {
-    const Kind& kind = find(kind_name, &Kind::name, "kind");
+    const Kind& kind = kind_named(kind_name);
     return {kind.make(states, actions, preset, settings_from(parameters, kind, preset), seed)};
 }
 
 Learner restore(const std::string& bytes, const std::string& name) {
     const CheckpointType type = checkpoint_type(bytes, name);
-    const Kind& kind = find(type.type_name, &Kind::type_name, "learner of a checkpoint");
-    return {kind.make(static_cast<Number>(type.states), static_cast<Number>(type.actions), "", {}, 0)
+    return {kind_of(type, name)
+                .make(static_cast<Number>(type.states), static_cast<Number>(type.actions), "", {}, 0)
                 ->from_bytes(bytes, name)};
 }
 
@@ -196,7 +208,7 @@ PYBIND11_MODULE(_core, m) {
         "parameters",
         [](const std::string& kind, const std::string& preset) {
             py::list list;
-            for (const Parameter& p : find(kind, &Kind::name, "kind").parameters(preset)) {
+            for (const Parameter& p : kind_named(kind).parameters(preset)) {
                 list.append(py::make_tuple(p.name, to_python(p.value), p.help));
             }
             return list;
@@ -204,12 +216,12 @@ PYBIND11_MODULE(_core, m) {
         py::arg("kind"), py::arg("preset") = "");
     m.def("presets", [](const std::string& kind) {
         py::list list;
-        for (const std::string& name : find(kind, &Kind::name, "kind").presets) list.append(name);
+        for (const std::string& name : kind_named(kind).presets) list.append(name);
         return list;
     });
     m.def("kind_of", [](const py::bytes& bytes, const std::string& name) {
         const std::string text = bytes;
-        return find(checkpoint_type(text, name).type_name, &Kind::type_name, "learner of a checkpoint").name;
+        return kind_of(checkpoint_type(text, name), name).name;
     });
     m.def("read_file", [](const py::object& path) { return py::bytes(read_file(path)); });
     m.def("path_text", &path_text);

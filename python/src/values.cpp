@@ -46,8 +46,9 @@ double real_number(const std::string& name, const char* what, py::handle given) 
 /// `given` as the alternative that `like` has.
 Value read(const std::string& name, py::handle given, const Value& like) {
     if (std::holds_alternative<bool>(like)) {
-        if (PyBool_Check(given.ptr()) == 0) throw_type(name, "True or False", given);
-        return given.cast<bool>();
+        py::detail::make_caster<bool> truth;
+        if (!truth.load(given, false)) throw_type(name, "True or False", given);  // takes NumPy's too
+        return py::detail::cast_op<bool>(truth);
     }
     if (std::holds_alternative<std::uint64_t>(like)) return whole_number(name, given);
     if (std::holds_alternative<double>(like)) return real_number(name, "a number", given);

@@ -52,6 +52,7 @@ class Construction(unittest.TestCase):
                      3, 2, alpha="x")
         self.refused(TypeError, "replay must be 'from_counts' or 'last_outcome', got 1", sspql.DynaQ, 3, 2, replay=1)
         sspql.QLearning(3, 2, gamma=np.float32(0.5), alpha=1, bonus=np.int64(2))
+        self.assertIs(sspql.Sarsa(3, 2, expected=np.bool_(True)).parameters["expected"], True)
 
     def test_values_out_of_range(self):
         self.refused(ValueError, r"gamma must lie in \[0, 1\], got 1.5", sspql.QLearning, 3, 2, gamma=1.5)

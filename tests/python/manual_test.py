@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """docs/python.md runs from top to bottom, quotes what the example has and prints, and help() tells what there is."""
 
+import ast
 import inspect
 import io
 import os
@@ -91,6 +92,21 @@ class Help(unittest.TestCase):
                 if not member.startswith("_") and not hasattr(tuple, member) and thing is not sspql.EpisodeResult:
                     documented = inspect.getdoc(getattr(thing, member)) or member in ("p", "start", "rate", "floor")
                     self.assertTrue(documented, f"{name}.{member}")
+
+    def test_stubs_name_what_there_is(self):
+        tree = ast.parse(text("python", "sspql", "_core.pyi"))
+        for node in tree.body:
+            if not isinstance(node, ast.ClassDef):
+                continue
+            compiled = getattr(sspql._core, node.name)
+            there = {name for name in dir(compiled) if not name.startswith("_")}
+            stubs = {f.name: f for f in node.body if not f.name.startswith("_")}
+            self.assertEqual(set(stubs), there, node.name)
+            for name in there:
+                if node.name == "Learner" and not stubs[name].decorator_list:  # the arguments, too
+                    shown = re.match(r"\w+\((.*?)\) ->", getattr(compiled, name).__doc__).group(1)
+                    arguments = re.findall(r"(\w+): ", shown)
+                    self.assertEqual([argument.arg for argument in stubs[name].args.args], arguments, name)
 
     def test_without_docstrings(self):
         code = "import sspql; print(sspql.Sspql(3, 2, gamma=0.5).parameters['gamma'])"

@@ -8,6 +8,7 @@ import pathlib
 import pickle
 import tempfile
 import unittest
+import zlib
 
 import sspql
 from every import CLASSES, steps
@@ -95,6 +96,20 @@ class Persistence(unittest.TestCase):
             with self.subTest(cls.__name__):
                 learner = cls(5, 3, seed=2)
                 self.assertEqual(cls(5, 3, seed=2, **learner.parameters).to_bytes(), learner.to_bytes())
+
+    def test_a_forged_size_asks_for_no_memory(self):
+        data = bytearray(sspql.QLearning(3, 2).to_bytes())
+        begin = 20  # the section "type": name (16), chunk length (4), "Q-learning" (8 + 10), states (8), ...
+        at = begin + 16 + 4 + 8 + len("Q-learning")
+        self.assertEqual(data[at : at + 8], (3).to_bytes(8, "little"))
+        data[at : at + 8] = (2**31).to_bytes(8, "little")
+        end = at + 8 + 8 + 1 + 4
+        data[end : end + 4] = zlib.crc32(data[begin:end]).to_bytes(4, "little")
+        with tempfile.TemporaryDirectory() as directory:
+            path = os.path.join(directory, "forged.sspql")
+            pathlib.Path(path).write_bytes(data)
+            with self.assertRaisesRegex(RuntimeError, "forged.sspql: .*more states than the file has room for"):
+                sspql.load(path)
 
     def test_refusals_change_nothing(self):
         learner = started(sspql.QLearning)
