@@ -77,7 +77,7 @@ function showWorth(m) {
     const tried = document.createElement('small');
     label.textContent = names[a];
     tried.textContent = t.n === 0 ? 'never tried' : 'tried ' + t.n + 'x' +
-      (t.next < 0 ? '' : ', leads to ' + t.next + ', ' + toGoText(t.toGo));
+      (t.next < 0 ? '' : ', mostly to ' + t.next + ', ' + toGoText(t.toGo));
     value.textContent = parts + ' = ' + sums[a].toFixed(3);
     value.className = 'value';
     row.append(label, value, bar, tried);
@@ -231,7 +231,7 @@ async function selftest() {
   key('n'); check('... also by key', mission === data.missions[0]);
   const learnt = mission.moments.findIndex(m => m.terms.length > 0);
   if (learnt >= 0) { seek(mission.moments[learnt].t); check('action values are shown', el('worth').children.length > 1);
-    check('... and where actions lead', mission.moments.some((m, i) => { showPanel(i); return /leads to \d+, .* to go/.test(el('worth').textContent); })); }
+    check('... and where actions lead', mission.moments.some((m, i) => { showPanel(i); return /mostly to \d+, .* to go/.test(el('worth').textContent); })); }
   const full = picture().split(':')[0];
   el('show-camera').click(); el('show-sonars').click();
   check('sensors can be hidden', picture().split(':')[0] !== full);

@@ -57,7 +57,7 @@ border:1px solid var(--ink-grid);border-top-width:5px}
 #doing{font-size:1.15rem;font-weight:600;margin:.2rem 0;min-height:2.6em;line-height:1.3}
 #player dl{grid-template-columns:1fr max-content;font-size:.875rem;font-variant-numeric:tabular-nums}
 #cell{font-size:.875rem;color:var(--ink-faint);min-height:3.2em;margin:.9rem 0 .3rem;line-height:1.4}
-#worth{min-height:16rem}
+#worth{min-height:14rem}
 .action{display:grid;grid-template-columns:1fr max-content;gap:0 .5rem;font-size:.8125rem;padding:.2rem .35rem;
 border-left:4px solid transparent}
 .action.chosen{border-left-color:var(--ink-text);font-weight:600}
@@ -111,7 +111,8 @@ constexpr const char* player_html = R"html(
 <kbd>Home</kbd> <kbd>End</kbd>, <kbd>n</kbd> <kbd>p</kbd> next and previous mission.</p>
 <p class="note">Blue and dashed is what the robot believes: where it is itself, the box, the goal; a blue disc is twice the
 standard deviation. The yellow cone is what the camera sees, green dots are the sonars' echoes. In the background: the cells
-in which the learnt parts think, and behind the box the region they seek. The floor's squares are half a metre wide. Under a
+in which the learnt parts think, and behind the box the region they seek. How far there is to go is the expected length of the
+shortest path learnt, on which what goes astray counts as standing still. The floor's squares are half a metre wide. Under a
 mission's number: green for a box in the goal at the first push, orange for later, red for never.</p>
 )html";
 

@@ -49,7 +49,8 @@ report::ReplayMoment moment_of(Numbers& next) {
     moment.state = next.whole();
     moment.action = next.whole();
     moment.to_go = next.real();
-    for (int a = next.whole() % 4; a > 0; --a) moment.terms.push_back({next.real(), 5e-324, -0.0, next.real(), next.whole(), next.real()});
+    for (int a = next.whole() % 4; a > 0; --a)
+        moment.terms.push_back({next.real(), 5e-324, -0.0, next.real(), next.whole(), next.real()});
     return moment;
 }
 

@@ -14,6 +14,7 @@
 #include <sspql/core/ids.hpp>
 #include <sspql/io/explanation.hpp>
 #include <sspql/io/learnt_paths.hpp>
+#include <sspql/learn/action_selector.hpp>
 #include <sspql/paths/shortest_paths.hpp>
 #include <sspql/spaces/action_policy.hpp>
 #include <sspql/spaces/state_policy.hpp>
@@ -46,12 +47,8 @@ public:
         for (std::size_t a = 0; a < learner_.actions(); ++a) {
             why.actions.push_back(action(s, action_id(a), allowed.contains(action_id(a))));
         }
-        why.leading = why.best;
-        for (const ActionExplanation& a : why.actions) {
-            const double lead = why.actions[index(why.leading)].terms.sum();
-            const bool equal = !(a.terms.sum() < lead) && !(a.terms.sum() > lead);
-            if (a.legal && (a.terms.sum() > lead || (equal && a.action < why.leading))) why.leading = a.action;
-        }
+        why.leading =
+            argmax(learner_.actions(), allowed, [&](ActionId a) { return why.actions[index(a)].terms.sum(); });
         if constexpr (is_detected_v<CountsExpression, Learner>) {
             why.has_model = true;
             why.distance_in_steps = !is_detected_v<TreeExpression, Learner>;
@@ -147,7 +144,8 @@ private:
 /// (to_text). Nothing about the learner changes. Learners that keep no counts (QLearning, Sarsa, DynaQPlus) know their
 /// terms and tries only. Distances are those of learnt_paths(learner): for Sspql its own tree, as of its last update;
 /// for the others the shortest paths by expected steps over the counts as they are now (the adaptive planner's
-/// path_length() is the same as of its last search). With masks, the way may lead over actions that are not allowed.
+/// path_length() is much the same, as of its last search). On a path, what goes astray counts as standing still: where
+/// it leads on as well, the goal is nearer than that. With masks, the way may lead over actions that are not allowed.
 /// O(states + |A| x out-degree), and where the learner keeps no tree the O(m n_out + n log n) of learnt_paths: to
 /// explain many states, hand over the tree. \throws std::invalid_argument for a state outside.
 template <class Learner>
