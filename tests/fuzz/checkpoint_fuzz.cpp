@@ -26,11 +26,7 @@ namespace {
 using namespace sspql;
 using sspql::fuzz::require;
 using sspql::testing::Story;
-
-struct Commands {
-    [[nodiscard]] std::size_t size() const { return 2; }
-    [[nodiscard]] int decode(ActionId a) const { return static_cast<int>(a); }
-};
+using sspql::testing::TwoCommands;
 
 template <class Params>
 using PlanningSteps = decltype(std::declval<const Params&>().planning_steps);
@@ -81,8 +77,8 @@ void load_all(const std::string& bytes) {
     static const Target<DynaQPlus<>> dyna_q_plus{DynaQPlus<>(3, 2)};
     static const Target<PrioritizedSweeping<>> sweeping{PrioritizedSweeping<>(3, 2)};
     static const Target<RMax<>> r_max{RMax<>(3, 9)};
-    using Robot = Agent<HashedState<std::string>, Commands, QLearning<>>;
-    static const Target<Robot> robot{Robot(HashedState<std::string>{}, Commands{})};
+    using Robot = Agent<HashedState<std::string>, TwoCommands, QLearning<>>;
+    static const Target<Robot> robot{Robot(HashedState<std::string>{}, TwoCommands{})};
     sspql.load(bytes);
     adaptive.load(bytes);
     dyna_q.load(bytes);

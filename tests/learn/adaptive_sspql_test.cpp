@@ -224,6 +224,8 @@ TEST(AdaptiveSspql, RefusesParametersOutOfRange) {
     EXPECT_THROW(with([](auto& p) { p.threshold = 0.0; }), std::invalid_argument);
     EXPECT_THROW(with([](auto& p) { p.path_budget = -1.0; }), std::invalid_argument);
     EXPECT_THROW(with([](auto& p) { p.slice = 0; }), std::invalid_argument);
+    EXPECT_THROW(with([](auto& p) { p.slice = StepBudget::most + 1; }), std::invalid_argument);
+    EXPECT_NO_THROW(with([](auto& p) { p.slice = StepBudget::most; }));
     EXPECT_THROW(with([](auto& p) { p.bonus = infinity; }), std::invalid_argument);
     EXPECT_THROW(with([](auto& p) { p.retrace = 1.5; }), std::invalid_argument);
     EXPECT_THROW(with([](auto& p) { p.optimism.limit = 2.0; }), std::invalid_argument);

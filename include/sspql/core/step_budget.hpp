@@ -17,6 +17,9 @@ namespace sspql {
 /// The balance may become negative by that one piece; it is paid back from what is earned later.
 class StepBudget {
 public:
+    /// The most edges that can be earned or saved.
+    static constexpr std::uint64_t most = 1'000'000'000'000'000;
+
     /// Nothing to spend yet. \throws std::invalid_argument if per_step is 0 or the bank is smaller than it.
     StepBudget(std::uint64_t per_step, std::uint64_t bank) : per_step_(per_step), bank_(bank) {
         if (per_step == 0 || per_step > most) throw_invalid("budget per step", "lie between 1 and 10^15", per_step);
@@ -65,8 +68,6 @@ private:
                            balance_ >= std::numeric_limits<std::int64_t>::min() / 2;
         archive.require(sound, "a budget of planning is out of range");
     }
-
-    static constexpr std::uint64_t most = 1'000'000'000'000'000;
 
     [[nodiscard]] std::int64_t limit() const noexcept { return static_cast<std::int64_t>(bank_); }
 

@@ -64,7 +64,7 @@ struct AdaptiveParams {
         require_not_negative("bonus", bonus);
         require_positive("bonus_scale", bonus_scale);
         require_in("retrace", retrace, 0.0, 1.0);
-        if (slice == 0) throw_invalid("slice", "be at least 1", slice);
+        if (slice == 0 || slice > StepBudget::most) throw_invalid("slice", "lie between 1 and 10^15", slice);
     }
 };
 
