@@ -56,9 +56,12 @@ esac
 object=$work/$(printf '%s' "$file" | tr / _).o
 tr '\n' '\0' <"$work/flags" | xargs -0 "$compiler" $optimise -DNDEBUG -ffp-contract=off -c "$file" -o "$object"
 SH
+# All but what only other programs need.
 {
     ls "$source"/bench/pusher_experiment.cpp "$source"/bench/report/*.cpp "$source"/bench/experiment/*.cpp \
         "$source"/bench/shards/*.cpp "$source"/bench/ranks/one_rank.cpp |
+        grep -v -e "report/[a-z_]*statement" -e report/adaptive_ -e report/honest_ -e report/recorded_ \
+            -e report/verdict -e report/markdown -e experiment/page_program |
         tr '\n' '\0' | xargs -0 -n 1 -P 2 sh "$work/compile" "$other" "$work" &&
         "$other" "$work"/*.o "$box2d" -pthread -o "$work/pusher_experiment"
 } >"$work/log" 2>&1 || {
