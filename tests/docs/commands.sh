@@ -89,8 +89,8 @@ while IFS="$(printf '\t')" read -r where command; do
             name=${word#-D}
             name=${name%%=*}
             checked=$((checked + 1))
-            grep -rqw --include=CMakeLists.txt --include='*.cmake' --include=CMakePresets.json --include='*.in' \
-                -- "$name" CMakeLists.txt CMakePresets.json cmake src bench tests || complain "no CMake option $name"
+            grep -rqsw --include=CMakeLists.txt --include='*.cmake' --include=CMakePresets.json --include='*.in' \
+                -- "$name" CMakeLists.txt CMakePresets.json cmake src bench tests python || complain "no CMake option $name"
             ;;
         examples/*.cpp | cmake/*.sh | bench/*.sh | tests/*.sh | .ci/*)
             checked=$((checked + 1))

@@ -7,7 +7,8 @@
 #     <!-- printed by NAME, checked by a test -->       the program prints this (NAME or examples/FILE.cpp)
 #     <!-- file NAME, used by a test -->                a file that a user writes, such as CMakeLists.txt
 #
-# Python is left to tests/python/manual_test.py. A line `// ...` (or `...` in what is printed) in a quotation stands for lines left out. Writes to DIR:
+# A line `// ...` (or `...` in what is printed) in a quotation stands for lines left out. Python is left to
+# tests/python/manual_test.py. Writes to DIR:
 #     programs/NAME.cpp, files/NAME      the programs and files
 #     quotes/N, index                    a quotation each; the index has lines "KIND TARGET N PAGE:LINE"
 #     errors                             what is wrong with the pages, a line each; empty if nothing
