@@ -180,7 +180,9 @@ struct Experiment {
     sim::PusherParams params;
     Parts parts;
 
-    /// \throws std::exception for anything wrong with the options.
+    /// \throws std::exception for anything wrong with the options, as prepare does.
+    [[nodiscard]] bool read(int argc, char** argv) { return parse(options, argc, argv); }
+
     void prepare(const Ranks& ranks, int argc, char** argv) {
         recipes = learner_recipes(options.learners, options.set);
         params.noise = options.noise;
@@ -230,21 +232,8 @@ struct Experiment {
     }
 };
 
-int body(int argc, char** argv, const Ranks& ranks) {
-    Experiment experiment;
-    report::PusherFindings blank;
-    bool wanted = false;
-    ranks.together([&] {
-        wanted = parse(experiment.options, argc, argv);
-        if (!wanted) return;
-        experiment.prepare(ranks, argc, argv);
-        blank = experiment.blank(argc, argv);
-    });
-    if (!wanted) return 0;
-    return run_parts(experiment.parts, ranks, std::move(blank),
-                     [&](const shards::Shard& shard, auto& findings) { experiment.run(shard, ranks, findings); });
-}
-
 }  // namespace
 
-int main(int argc, char** argv) { return sspql::experiment::run_on_ranks("pusher_experiment", body, argc, argv); }
+int main(int argc, char** argv) {
+    return sspql::experiment::run_on_ranks("pusher_experiment", run_experiment<Experiment>, argc, argv);
+}

@@ -141,7 +141,9 @@ struct Missions {
     MissionPlan plan;
     Parts parts;
 
-    /// \throws std::exception for anything wrong with the options.
+    /// \throws std::exception for anything wrong with the options, as prepare does.
+    [[nodiscard]] bool read(int argc, char** argv) { return parse(options, argc, argv); }
+
     void prepare(const Ranks& ranks, int argc, char** argv) {
         recipes = learner_recipes(options.learner, {});
         if (recipes.size() != 1)
@@ -167,21 +169,8 @@ struct Missions {
     }
 };
 
-int body(int argc, char** argv, const Ranks& ranks) {
-    Missions missions;
-    report::MissionFindings blank;
-    bool wanted = false;
-    ranks.together([&] {
-        wanted = parse(missions.options, argc, argv);
-        if (!wanted) return;
-        missions.prepare(ranks, argc, argv);
-        blank = missions.blank(argc, argv);
-    });
-    if (!wanted) return 0;
-    return run_parts(missions.parts, ranks, std::move(blank),
-                     [&](const shards::Shard& shard, auto& findings) { missions.run(shard, ranks, findings); });
-}
-
 }  // namespace
 
-int main(int argc, char** argv) { return sspql::experiment::run_on_ranks("pusher_mission", body, argc, argv); }
+int main(int argc, char** argv) {
+    return sspql::experiment::run_on_ranks("pusher_mission", run_experiment<Missions>, argc, argv);
+}

@@ -70,6 +70,27 @@ int run_parts(const Parts& parts, const Ranks& ranks, Findings findings, const R
     return std::cout.good() ? 0 : 2;
 }
 
+/// A whole program whose runs can be divided. Experiment has read(argc, argv), false if there is nothing to do;
+/// prepare(ranks, argc, argv), which fills `parts`; blank(argc, argv), the findings without what is measured; and
+/// run(shard, ranks, findings).
+template <class Experiment>
+int run_experiment(int argc, char** argv, const Ranks& ranks) {
+    using Findings = decltype(std::declval<const Experiment&>().blank(argc, argv));
+    Experiment experiment;
+    Findings blank;
+    bool wanted = false;
+    ranks.together([&] {
+        wanted = experiment.read(argc, argv);
+        if (!wanted) return;
+        experiment.prepare(ranks, argc, argv);
+        blank = experiment.blank(argc, argv);
+    });
+    if (!wanted) return 0;
+    return run_parts(experiment.parts, ranks, std::move(blank), [&](const shards::Shard& shard, Findings& findings) {
+        experiment.run(shard, ranks, findings);
+    });
+}
+
 /// Main of a program whose runs can be divided: run_program for a body that is told the ranks. All that may throw on
 /// more than one rank must stand in `together`.
 int run_on_ranks(const char* program, const std::function<int(int, char**, const Ranks&)>& body, int argc, char** argv);
