@@ -3,6 +3,8 @@
 // How many steps does each learner need on a grid world, and how many after the map changed? Fig. 5 of Kwon, Suh and Lee
 // (2011), Sutton and Barto's mazes, and any tabular MDP from a file: grid_experiment --help
 
+#include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -181,6 +183,26 @@ void restrict_actions(AnyLearner& learner, const TransitionTable& table) {
     }
 }
 
+/// Maps of more cells say nothing but the action: pages would grow, and paths are searched anew for each cell.
+constexpr std::size_t most_explained_cells = 400;
+
+/// What there is to say about each move, a line each.
+std::string reasons_of(const GridMap& map, const AnyLearner& learner, StateId s) {
+    static constexpr std::array<const char*, GridWorld::actions> moves{"up", "down", "left", "right"};
+    const Explanation why = learner.explain(s);
+    const std::string unit = why.distance_in_steps ? " steps to go" : " of cost to go";
+    const auto distance = [&](double far) { return report::short_text(far, 3) + unit; };
+    std::string text = std::isfinite(why.distance) ? distance(why.distance) : "";
+    for (const ActionExplanation& a : why.actions) {
+        text += (text.empty() ? "" : "\n") + std::string(moves[index(a.action)]) + ": " + report::short_text(a.terms.sum(), 4);
+        text += a.terms.n > 0.0 ? ", tried " + report::fixed_text(a.terms.n, 0) + "x" : ", never tried";
+        if (a.likely == no_state) continue;
+        text += ", mostly to row " + std::to_string(map.row(a.likely)) + ", column " + std::to_string(map.column(a.likely));
+        if (std::isfinite(a.distance)) text += ", " + distance(a.distance);
+    }
+    return text;
+}
+
 report::GridPicture picture_of(const GridMap& map, const AnyLearner& learner) {
     report::GridPicture picture;
     picture.rows = map.rows();
@@ -201,6 +223,7 @@ report::GridPicture picture_of(const GridMap& map, const AnyLearner& learner) {
             const ActionTerms terms = learner.terms(s, best);
             cell.value = terms.q + terms.ssp;
             if (*cell.value != 0.0) cell.action = static_cast<report::GridMove>(index(best));
+            if (map.size() <= most_explained_cells) cell.why = reasons_of(map, learner, s);
         }
         picture.cells.push_back(cell);
     }
@@ -351,7 +374,7 @@ struct Experiment {
         for (std::size_t p = 0; p < findings.pictures.size(); ++p) {
             const bool drawn = !std::holds_alternative<TabularEnvironment>(phases[p].world);
             findings.pictures[p].learners.resize(drawn ? recipes.size() : 0);
-            findings.pictures[p].caption = "Seed 1 at the end of the phase.";
+            findings.pictures[p].caption = "Seed 1 at the end of the phase. Pointing at a cell tells why.";
         }
         return findings;
     }

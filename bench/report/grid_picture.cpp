@@ -279,6 +279,7 @@ private:
         std::string text = "row " + std::to_string(row) + ", column " + std::to_string(column);
         if (has_value(cell)) text += ": " + picture_.value_name + " " + short_text(*cell.value, 4);
         if (cell.action) text += std::string(has_value(cell) ? ", " : ": ") + move_name(*cell.action);
+        if (!cell.why.empty()) text += "\n" + cell.why;
         return text;
     }
 

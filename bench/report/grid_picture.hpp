@@ -23,6 +23,7 @@ struct GridPictureCell {
     GridCellKind kind = GridCellKind::free;
     std::optional<double> value{};     ///< the cell's colour; none (and NaN) leaves it blank
     std::optional<GridMove> action{};  ///< its arrow
+    std::string why{};                 ///< more lines for who points at it
 };
 
 /// What `grid_picture` draws. Walls and goals show neither value nor action.

@@ -42,18 +42,20 @@ struct PictureColumns {
     std::string kinds{};    ///< see kind_letters
     std::string actions{};  ///< see move_letters
     std::vector<std::optional<double>> values{};
+    std::vector<std::string> reasons{};
     std::string value_name{};
 };
 
 template <class Io>
 void fields(Io& io, Like<Io, PictureColumns>& picture) {
-    auto& [title, rows, columns, kinds, actions, values, value_name] = picture;
+    auto& [title, rows, columns, kinds, actions, values, reasons, value_name] = picture;
     io("title", title);
     io("rows", rows);
     io("columns", columns);
     io("kinds", kinds);
     io("actions", actions);
     io("values", values);
+    io("reasons", reasons);
     io("value_name", value_name);
 }
 
@@ -71,18 +73,19 @@ PictureColumns columns_of(const report::GridPicture& picture) {
     const auto& [title, rows, columns, cells, value_name, range, legend] = picture;
     static_cast<void>(range);
     static_cast<void>(legend);
-    PictureColumns out{title, rows, columns, {}, {}, {}, value_name};
-    for (const auto& [kind, value, action] : cells) {
+    PictureColumns out{title, rows, columns, {}, {}, {}, {}, value_name};
+    for (const auto& [kind, value, action, why] : cells) {
         out.kinds += kind_letters[static_cast<std::size_t>(kind)];
         out.actions += action ? move_letters[static_cast<std::size_t>(*action)] : '-';
         out.values.push_back(value);
+        out.reasons.push_back(why);
     }
     return out;
 }
 
 report::GridPicture picture_of(const PictureColumns& columns) {
     const std::size_t cells = columns.kinds.size();
-    if (columns.actions.size() != cells || columns.values.size() != cells) {
+    if (columns.actions.size() != cells || columns.values.size() != cells || columns.reasons.size() != cells) {
         throw FieldError("has lists of different lengths");
     }
     report::GridPicture picture;
@@ -94,6 +97,7 @@ report::GridPicture picture_of(const PictureColumns& columns) {
         report::GridPictureCell cell;
         cell.kind = static_cast<report::GridCellKind>(letter(kind_letters, columns.kinds[i]));
         cell.value = columns.values[i];
+        cell.why = columns.reasons[i];
         const std::size_t move = letter(move_letters, columns.actions[i]);
         if (move + 1 < move_letters.size()) cell.action = static_cast<report::GridMove>(move);
         picture.cells.push_back(cell);

@@ -43,6 +43,13 @@ TEST(GridPicture, DrawsWhatStandsOnTheCells) {
     }
 }
 
+TEST(GridPicture, TellsWhyToWhoPointsAtACell) {
+    GridPicture picture = small();
+    picture.cells[1].why = "4 steps to go\nup: <never tried>";
+    EXPECT_TRUE(contains(grid_picture(picture).element(),
+                         "row 0, column 1: value 0, down\n4 steps to go\nup: &lt;never tried&gt;</title>"));
+}
+
 TEST(GridPicture, ColoursSpanTheRange) {
     // Strengths 0.05 and 1 by themselves; on [0, 16] the 8 stands at 0.05 + 0.95 / 2.
     GridPicture picture = small();

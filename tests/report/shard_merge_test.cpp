@@ -119,6 +119,7 @@ TEST(ShardMerge, OfGridsKeepsEveryField) {
                     EXPECT_EQ(a.cells[c].kind, b.cells[c].kind);
                     expect_same(a.cells[c].value, b.cells[c].value);
                     EXPECT_EQ(a.cells[c].action, b.cells[c].action);
+                    EXPECT_EQ(a.cells[c].why, b.cells[c].why);
                 }
             }
         }

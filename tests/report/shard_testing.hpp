@@ -83,6 +83,7 @@ inline report::GridFindings grid_findings() {
     picture.cells = {{GridCellKind::free, 0.1, GridMove::up},    {GridCellKind::wall, std::nullopt, std::nullopt},
                      {GridCellKind::goal, -0.0, GridMove::down}, {GridCellKind::hazard, 1.0 / 3.0, GridMove::left},
                      {GridCellKind::start, 2.0, std::nullopt},   {GridCellKind::free, std::nullopt, GridMove::right}};
+    picture.cells[3].why = "left: 1, \"tried\" 3x\nup: never tried";
     report::GridPicture none;
     findings.pictures = {{{picture, none}, "Seed 1"}, {{}, "nothing is drawn"}};
     return findings;
