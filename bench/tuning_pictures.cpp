@@ -159,7 +159,8 @@ void draw(const Study& study, std::size_t seeds, std::size_t threads, const std:
                           << task_names[t] << ": " << report::fixed_text(mean.mean, 0) << " +- "
                           << report::fixed_text(mean.error, 0) << " steps, "
                           << report::fixed_text(panel.tasks.back().back().ratio, 2) << " +- "
-                          << report::fixed_text(panel.tasks.back().back().error, 2) << "\n";
+                          << report::fixed_text(panel.tasks.back().back().error, 2)
+                          << (v == parameter.standard ? ", the default\n" : "\n");
             }
         }
         panels.push_back(std::move(panel));
@@ -181,6 +182,7 @@ int body(int argc, char** argv) {
     parser.whole("--threads", threads, 0, 1024, "Threads, 0: all; the numbers do not depend on it");
     if (!parser.parse(argc, argv)) return 0;
     if (out.empty()) throw std::invalid_argument("give --out (--help lists the options)");
+    for (const Study& study : studies()) report::require_writable(out + "/" + study.file);
     for (const Study& study : studies()) {
         draw(study, static_cast<std::size_t>(seeds), static_cast<std::size_t>(threads), out);
     }

@@ -34,5 +34,8 @@ while read -r kind target number where; do
         failures=$((failures + 1))
     fi
 done <"$extracted/index"
+# A newcomer copies this one.
+lines=$(grep -vc '^#line ' "$extracted/programs/your_environment.cpp" 2>/dev/null)
+[ "${lines:-0}" -le 60 ] || { echo "docs/your-own-environment.md: $lines lines are more than 60"; failures=1; }
 [ "$checked" -gt 0 ] || { echo "nothing is quoted: the markers were not found"; exit 1; }
 [ "$failures" -eq 0 ]
