@@ -8,7 +8,7 @@
 #     <!-- file NAME, used by a test -->                a file that a user writes, such as CMakeLists.txt
 #
 # A line `// ...` (or `...` in what is printed) in a quotation stands for lines left out. Python is left to
-# tests/python/manual_test.py. Writes to DIR:
+# tests/python/manual_test.py, shell commands to scripts. Writes to DIR:
 #     programs/NAME.cpp, files/NAME      the programs and files
 #     quotes/N, index                    a quotation each; the index has lines "KIND TARGET N PAGE:LINE"
 #     errors                             what is wrong with the pages, a line each; empty if nothing
@@ -48,7 +48,7 @@ FNR == 1 {
     sub(/^<!-- /, "", what)
     sub(/, (run|checked|used) by a test -->$/, "", what)
     name = what
-    if (what ~ /\.py$/) {
+    if (what ~ /\.py$/ || language == "sh") {
         target = ""
     } else if (what ~ /^program [a-z][a-z0-9_]*$/) {
         sub(/^program /, "", name)
