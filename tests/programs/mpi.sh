@@ -16,6 +16,9 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
 
+# The MPI library does not free all it has when it ends.
+ASAN_OPTIONS=${ASAN_OPTIONS:+$ASAN_OPTIONS:}detect_leaks=0
+export ASAN_OPTIONS
 if mpirun --version 2>/dev/null | grep -q 'Open MPI'; then
     # More ranks than cores, perhaps as root, perhaps in a container that forbids to read another process's memory.
     OMPI_MCA_btl_vader_single_copy_mechanism=none
