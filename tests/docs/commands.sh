@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# commands.sh SOURCE BUILD: the commands that README.md, CONTRIBUTING.md and docs/*.md show can be typed. Checked are names,
-# not what they do: the options, learners and maps of our programs, presets, CMake options, scripts and source files.
+# commands.sh SOURCE BUILD: the commands that README.md, CONTRIBUTING.md and docs/*.md show can be typed. Checked are
+# names, not what they do: the options, learners and maps of our programs, presets, CMake options, scripts and source files.
 set -u
 source=$1
 build=$2
@@ -11,7 +11,9 @@ cd "$source" || exit 1
 
 # Lines "PAGE:LINE<tab>COMMAND": those of sh blocks (a line that ends in a backslash goes on) and of `code` in the text.
 awk '
-    function tell(where, command) { print where "\t" command }
+    function tell(where, command) { # the rest of the text has nothing to be checked
+        if (command ~ /--|SSPQL_|^[a-z.]+\/[^ ]*\.(cpp|sh)/) print where "\t" command
+    }
     function tell_code() { # of a paragraph, whose code may go on in the next line
         while (match(paragraph, /`[^`]+`/)) {
             tell(begins, substr(paragraph, RSTART + 1, RLENGTH - 2))
@@ -38,18 +40,18 @@ complain() {
     failures=$((failures + 1))
 }
 
-help_of() { # program: prints the file that holds its --help, empty for none we know
+help_of() { # program: prints the file that holds the words of its --help, nothing for none we know
     for folder in bench examples; do
         [ -x "$build/$folder/$1" ] || continue
         case $1 in bench_* | [0-9]*) return ;; esac  # Google Benchmark's options; examples have none
-        [ -e "$work/$1.help" ] || "$build/$folder/$1" --help >"$work/$1.help" 2>&1
+        [ -e "$work/$1.help" ] || "$build/$folder/$1" --help 2>&1 | tr -s ' \t,;:|=[]()' '\n' >"$work/$1.help"
         echo "$work/$1.help"
         return
     done
 }
 
 known() { # word help: whether the help has it as a word of its own
-    tr -s ' \t,;:|=[]()' '\n' <"$2" | grep -qxF -- "$1"
+    grep -qxF -- "$1" "$2"
 }
 
 set -f
@@ -90,7 +92,8 @@ while IFS="$(printf '\t')" read -r where command; do
             name=${name%%=*}
             checked=$((checked + 1))
             grep -rqsw --include=CMakeLists.txt --include='*.cmake' --include=CMakePresets.json --include='*.in' \
-                -- "$name" CMakeLists.txt CMakePresets.json cmake src bench tests python || complain "no CMake option $name"
+                -- "$name" CMakeLists.txt CMakePresets.json cmake src bench tests python ||
+                complain "no CMake option $name"
             ;;
         examples/*.cpp | cmake/*.sh | bench/*.sh | tests/*.sh | .ci/*)
             checked=$((checked + 1))

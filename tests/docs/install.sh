@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# install.sh BUILD EXTRACTED CMAKE GENERATOR COMPILER: the project that docs/install.md shows finds the installed library,
-# builds and runs. EXTRACTED is what extract.awk made of the pages.
+# install.sh BUILD EXTRACTED CMAKE GENERATOR COMPILER: the project that docs/install.md shows finds the installed
+# library, builds and runs. EXTRACTED is what extract.awk made of the pages.
 set -eu
 build=$1 extracted=$2 cmake=$3 generator=$4 compiler=$5
 scratch=$build/docs/install

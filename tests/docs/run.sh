@@ -9,7 +9,11 @@ name=$4
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 mkdir "$work/run"
-(cd "$work/run" && "$program") >"$work/printed" || { echo "$name failed, having printed:"; cat "$work/printed"; exit 1; }
+(cd "$work/run" && "$program") >"$work/printed" || {
+    echo "$name failed, having printed:"
+    cat "$work/printed"
+    exit 1
+}
 
 failures=0
 while read -r kind target number where; do
