@@ -120,6 +120,7 @@ TEST(ShardMerge, OfGridsKeepsEveryField) {
                     expect_same(a.cells[c].value, b.cells[c].value);
                     EXPECT_EQ(a.cells[c].action, b.cells[c].action);
                     EXPECT_EQ(a.cells[c].why, b.cells[c].why);
+                    EXPECT_EQ(a.cells[c].why, b.cells[c].why);
                 }
             }
         }

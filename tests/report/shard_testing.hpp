@@ -84,6 +84,8 @@ inline report::GridFindings grid_findings() {
                      {GridCellKind::goal, -0.0, GridMove::down}, {GridCellKind::hazard, 1.0 / 3.0, GridMove::left},
                      {GridCellKind::start, 2.0, std::nullopt},   {GridCellKind::free, std::nullopt, GridMove::right}};
     picture.cells[3].why = "left: 1, \"tried\" 3x\nup: never tried";
+    for (report::GridPictureCell& cell : picture.cells)
+        cell.why = "why " + std::to_string(&cell - picture.cells.data());
     report::GridPicture none;
     findings.pictures = {{{picture, none}, "Seed 1"}, {{}, "nothing is drawn"}};
     return findings;
