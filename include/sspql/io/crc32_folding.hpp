@@ -6,7 +6,7 @@
 
 #if defined(__x86_64__) && (defined(__GNUC__) || defined(__clang__))
 #define SSPQL_HAS_CRC_FOLDING 1
-#include <immintrin.h>
+#include <wmmintrin.h>
 #else
 /// 1 where the compiler can multiply without carries, for checksums; else 0. \ingroup io
 #define SSPQL_HAS_CRC_FOLDING 0
