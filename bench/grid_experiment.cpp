@@ -3,33 +3,27 @@
 // How many steps does each learner need on a grid world, and how many after the map changed? Fig. 5 of Kwon, Suh and Lee
 // (2011), Sutton and Barto's mazes, and any tabular MDP from a file: grid_experiment --help
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include <sspql/core/version.hpp>
-#include <sspql/env/chain.hpp>
-#include <sspql/env/changing_grid_world.hpp>
 #include <sspql/env/grid_maps.hpp>
 #include <sspql/env/grid_world.hpp>
-#include <sspql/env/table_csv.hpp>
 #include <sspql/env/tabular_environment.hpp>
-#include <sspql/env/windy.hpp>
-#include <sspql/io/crc32.hpp>
 #include <sspql/learn/exact_steps.hpp>
 #include <sspql/learn/exact_values.hpp>
 #include <sspql/run/parallel.hpp>
 #include <sspql/spaces/action_policy.hpp>
 #include <sspql/spaces/enum_state.hpp>
 
+#include "experiment/grid_phases.hpp"
 #include "experiment/learner_catalog.hpp"
+#include "experiment/learnt_grid.hpp"
 #include "experiment/options.hpp"
 #include "experiment/parts.hpp"
 #include "experiment/runner.hpp"
@@ -42,136 +36,6 @@ namespace {
 using namespace sspql;
 using namespace sspql::experiment;
 
-struct GridOptions : CommonOptions {
-    std::string maps;
-    std::string table;
-    std::optional<double> slip;
-    std::string noise_kind = "other";
-    std::int64_t total_steps = 0;
-    std::string report_at;
-    ShardOptions shards;
-
-    GridOptions() {
-        learners = "q-bonus,ps-bonus,sspql-bonus";
-        seeds = 20;
-        episodes = 50;
-        steps_per_episode = 5000;
-    }
-};
-
-/// One phase of the experiment: its world and what is known about it exactly.
-struct Phase {
-    std::string name;
-    std::variant<GridWorld, ChangingGridWorld, TabularEnvironment> world;
-    std::optional<TransitionTable> table;  ///< the world's, if it stays the same
-    std::vector<std::uint64_t> report_at;
-    std::size_t total_steps = 0;
-
-    [[nodiscard]] std::size_t states() const {
-        return std::visit([](const auto& w) { return w.size(); }, world);
-    }
-    [[nodiscard]] std::size_t actions() const {
-        const auto* tabular = std::get_if<TabularEnvironment>(&world);
-        return tabular != nullptr ? tabular->table().actions() : GridWorld::actions;
-    }
-};
-
-SlipKind slip_kind(const std::string& name) {
-    if (name == "perpendicular") return SlipKind::perpendicular;
-    return name == "lost" ? SlipKind::lost : SlipKind::other;
-}
-
-/// Sutton and Barto's windy grid worlds: example 6.5, exercises 6.9 and 6.10.
-std::optional<WindyParams> windy_params(const std::string& name) {
-    if (name != "windy" && name != "windy-king" && name != "windy-gusts") return std::nullopt;
-    WindyParams params;
-    if (name != "windy") params.moves = WindyMoves::king;
-    if (name == "windy-gusts") params.gusts = 1.0 / 3.0;
-    return params;
-}
-
-Phase map_phase(const std::string& name, const GridOptions& options) {
-    if (name == "chain") {
-        const double slip = options.slip.value_or(0.1);
-        if (slip >= 1.0) throw std::invalid_argument("--slip must be below 1 for the chain, whose goal is out of reach else");
-        ChainParams params;
-        params.probability = 1.0 - slip;
-        TransitionTable table = chain_table(params);
-        return {name, TabularEnvironment(table), table, {}, 0};
-    }
-    if (const std::optional<WindyParams> params = windy_params(name)) {
-        if (options.slip) throw std::invalid_argument("--slip does not go with " + name + ": its chance is the wind's");
-        TransitionTable table = windy_table(*params);
-        return {name, TabularEnvironment(table), table, {}, 0};
-    }
-    std::optional<GridTask> task = find_grid_task(name);
-    if (!task && name.find('/') == std::string::npos && name.find('.') == std::string::npos) {
-        static_cast<void>(grid_task(name));  // says which there are
-    }
-    if (!task) {
-        task.emplace(GridTask{name, GridMap::load(name), {}, 0, {}});
-        task->params.slip = 0.1;
-        task->name = name.substr(name.find_last_of('/') + 1);
-    }
-    if (options.slip) task->params.slip = *options.slip;
-    task->params.slip_kind = slip_kind(options.noise_kind);
-    if (!task->changes.empty()) return {task->name, task->changing_world(), std::nullopt, {}, task->total_steps};
-    GridWorld world = task->world();
-    TransitionTable table = world.table();
-    return {task->name, std::move(world), std::move(table), {}, 0};
-}
-
-std::vector<std::uint64_t> report_steps(const Phase& phase, const GridOptions& options) {
-    std::vector<std::uint64_t> steps;
-    for (const std::string& word : split(options.report_at, ',')) {
-        std::uint64_t step = 0;
-        for (const char c : word) {
-            if (c < '0' || c > '9' || step > 1000000000) step = 0;
-            if (c < '0' || c > '9') break;
-            step = step * 10 + static_cast<std::uint64_t>(c - '0');
-        }
-        if (step == 0 || step > phase.total_steps || (!steps.empty() && step <= steps.back())) {
-            throw std::invalid_argument("--report-at must be increasing steps from 1 to " +
-                                        std::to_string(phase.total_steps) + ", got '" + options.report_at + "'");
-        }
-        steps.push_back(step);
-    }
-    if (!steps.empty() || phase.total_steps == 0) return steps;
-    if (const auto* changing = std::get_if<ChangingGridWorld>(&phase.world)) {
-        for (const MapChange& change : changing->changes()) steps.push_back(change.from_step);
-    }
-    if (steps.empty() || steps.back() < phase.total_steps) steps.push_back(phase.total_steps);
-    return steps;
-}
-
-std::vector<Phase> phases_of(const GridOptions& options) {
-    if (options.maps.empty() == options.table.empty()) {
-        throw std::invalid_argument(options.maps.empty() ? "give --maps or --table (--help lists the options)"
-                                                         : "give --maps or --table, not both");
-    }
-    std::vector<Phase> phases;
-    if (!options.table.empty()) {
-        TransitionTable table = load_table_csv(options.table);
-        phases.push_back({options.table.substr(options.table.find_last_of('/') + 1), TabularEnvironment(table), table, {}, 0});
-    }
-    for (const std::string& name : split(options.maps, ',')) phases.push_back(map_phase(name, options));
-    for (Phase& phase : phases) {
-        if (phase.states() != phases.front().states() || phase.actions() != phases.front().actions()) {
-            const auto size = [](const Phase& p) {
-                return p.name + " has " + std::to_string(p.states()) + " cells and " + std::to_string(p.actions()) + " actions";
-            };
-            throw std::invalid_argument("the maps of a chain must be equally large: " + size(phases.front()) + ", " +
-                                        size(phase));
-        }
-        if (options.total_steps > 0) phase.total_steps = static_cast<std::size_t>(options.total_steps);
-        if (phase.total_steps == 0 && !options.report_at.empty()) {
-            throw std::invalid_argument("--report-at needs --total-steps, or a map that changes while it runs");
-        }
-        phase.report_at = report_steps(phase, options);
-    }
-    return phases;
-}
-
 /// Tells a learner which actions the states of a table have.
 void restrict_actions(AnyLearner& learner, const TransitionTable& table) {
     for (std::size_t s = 0; s < table.states(); ++s) {
@@ -183,58 +47,11 @@ void restrict_actions(AnyLearner& learner, const TransitionTable& table) {
     }
 }
 
-/// Maps of more cells say nothing but the action: pages would grow, and paths are searched anew for each cell.
-constexpr std::size_t most_explained_cells = 400;
-
-/// What there is to say about each move, a line each.
-std::string reasons_of(const GridMap& map, const AnyLearner& learner, StateId s) {
-    static constexpr std::array<const char*, GridWorld::actions> moves{"up", "down", "left", "right"};
-    const Explanation why = learner.explain(s);
-    const std::string unit = why.distance_in_steps ? " steps to go" : " of cost to go";
-    const auto distance = [&](double far) { return report::short_text(far, 3) + unit; };
-    std::string text = std::isfinite(why.distance) ? distance(why.distance) : "";
-    for (const ActionExplanation& a : why.actions) {
-        text += (text.empty() ? "" : "\n") + std::string(moves[index(a.action)]) + ": " + report::short_text(a.terms.sum(), 4);
-        text += a.terms.n > 0.0 ? ", tried " + report::fixed_text(a.terms.n, 0) + "x" : ", never tried";
-        if (a.likely == no_state) continue;
-        text += ", mostly to row " + std::to_string(map.row(a.likely)) + ", column " + std::to_string(map.column(a.likely));
-        if (std::isfinite(a.distance)) text += ", " + distance(a.distance);
-    }
-    return text;
-}
-
-report::GridPicture picture_of(const GridMap& map, const AnyLearner& learner) {
-    report::GridPicture picture;
-    picture.rows = map.rows();
-    picture.columns = map.columns();
-    picture.value_name = "Q, and Q_SSP where there is one";
-    for (std::size_t i = 0; i < map.size(); ++i) {
-        report::GridPictureCell cell;
-        const StateId s = state_id(i);
-        switch (map.cell(s)) {
-            case GridCell::wall: cell.kind = report::GridCellKind::wall; break;
-            case GridCell::goal: cell.kind = report::GridCellKind::goal; break;
-            case GridCell::hazard: cell.kind = report::GridCellKind::hazard; break;
-            case GridCell::start: cell.kind = report::GridCellKind::start; break;
-            default: break;
-        }
-        if (map.cell(s) == GridCell::free || map.cell(s) == GridCell::start) {
-            const ActionId best = learner.best(s);
-            const ActionTerms terms = learner.terms(s, best);
-            cell.value = terms.q + terms.ssp;
-            if (*cell.value != 0.0) cell.action = static_cast<report::GridMove>(index(best));
-            if (map.size() <= most_explained_cells) cell.why = reasons_of(map, learner, s);
-        }
-        picture.cells.push_back(cell);
-    }
-    return picture;
-}
-
 /// The pictures of the first seed, by phase and learner.
 using Pictures = std::vector<report::GridPhasePictures>;
 
 /// A learner's whole chain of phases with one seed; run[p] is its run of phase p.
-std::vector<report::SeedRun> run_chain(std::vector<Phase> phases, const GridOptions& options,
+std::vector<report::SeedRun> run_chain(std::vector<GridPhase> phases, const GridOptions& options,
                                        const LearnerRecipe& recipe, std::uint64_t seed, std::size_t learner_index,
                                        Pictures* pictures) {
     const std::unique_ptr<AnyLearner> learner =
@@ -242,7 +59,7 @@ std::vector<report::SeedRun> run_chain(std::vector<Phase> phases, const GridOpti
     std::vector<report::SeedRun> runs;
     std::size_t first_episode = 0;
     for (std::size_t p = 0; p < phases.size(); ++p) {
-        Phase& phase = phases[p];
+        GridPhase& phase = phases[p];
         RunPlan plan;
         plan.episodes = static_cast<std::size_t>(options.episodes);
         plan.steps_per_episode = static_cast<std::size_t>(options.steps_per_episode);
@@ -311,33 +128,11 @@ bool parse(GridOptions& options, int argc, char** argv) {
     return parser.parse(argc, argv);
 }
 
-/// Of the world as it is, not of its file: line ends and comments do not count.
-std::uint32_t checksum_of(const Phase& phase) {
-    detail::Crc32 crc;
-    const auto add = [&](const auto& value) { crc.add(&value, sizeof value); };
-    const auto add_table = [&](const TransitionTable& table) {
-        for (std::size_t i = 0; i < table.states() * table.actions(); ++i) {
-            const StateId s = state_id(i / table.actions());
-            for (const Outcome& outcome : table.outcomes(s, action_id(i % table.actions()))) {
-                add(i);
-                add(index(outcome.next));
-                add(outcome.probability);
-                add(outcome.reward);
-                add(outcome.terminal);
-            }
-        }
-        for (const StateId s : table.starts()) add(index(s));
-    };
-    add(phase.states());
-    if (phase.table) add_table(*phase.table);
-    return crc.value();
-}
-
 /// A run of every learner with every seed through all phases.
 struct Experiment {
     GridOptions options;
     std::vector<LearnerRecipe> recipes;
-    std::vector<Phase> phases;
+    std::vector<GridPhase> phases;
     Parts parts;
 
     /// \throws std::exception for anything wrong with the options, as prepare does.
@@ -355,7 +150,7 @@ struct Experiment {
         results.experiment = "grid_experiment";
         results.settings = settings_of(options, recipes);
         results.manifest = {command_line(argc, argv), SSPQL_VERSION, compiler_name()};
-        for (const Phase& phase : phases) {
+        for (const GridPhase& phase : phases) {
             report::PhaseRuns runs;
             runs.name = phase.name;
             if (phase.table) {
