@@ -4,6 +4,7 @@
 set -u
 bench=$1/bench
 mpi=$1/tests/mpi
+. "$2/tests/programs/lib/comparable.sh"
 [ -x "$mpi/pusher_experiment" ] || {
     echo "skipped: no MPI (Debian package libopenmpi-dev) when this was configured"
     exit 77
@@ -27,19 +28,6 @@ if mpirun --version 2>/dev/null | grep -q 'Open MPI'; then
 else
     on() { mpirun -n "$@"; }
 fi
-
-comparable() {
-    for part in "$1".*; do
-        case $part in
-        *.json) sed -i '/^  "timing": /,$d' "$part" ;;
-        *.html) sed -i -e '/^<dt>command<\/dt>/d' -e 's|<td class="number">[0-9.]*</td></tr>|</tr>|' "$part" ;;
-        esac
-        [ "$(wc -c <"$part")" -gt 100 ] || {
-            echo "$part: next to nothing to compare"
-            exit 1
-        }
-    done
-}
 
 # run NAME COMMAND...: with reports called NAME.
 run() {

@@ -2,24 +2,10 @@
 # merge_results makes of a run's shards what one process prints and writes, digit for digit; only measured times differ.
 set -u
 bench=$1/bench
+. "$2/tests/programs/lib/comparable.sh"
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 1
-
-# What must be the same of the files NAME.*: all but measured times and the command in the report's footer.
-comparable() {
-    for part in "$1".*; do
-        case $part in
-        *.json) sed -i '/^  "timing": /,$d' "$part" ;;
-        # ns/step is the last column of a table.
-        *.html) sed -i -e '/^<dt>command<\/dt>/d' -e 's|<td class="number">[0-9.]*</td></tr>|</tr>|' "$part" ;;
-        esac
-        [ "$(wc -c <"$part")" -gt 100 ] || {
-            echo "$part: next to nothing to compare"
-            exit 1
-        }
-    done
-}
 
 quietly() {
     "$@" >log 2>err || {
