@@ -109,9 +109,9 @@ bool parse(GridOptions& options, int argc, char** argv) {
     Options parser("grid_experiment",
                    "Learners on grid worlds: steps per episode, and how they cope when the map changes (Fig. 5 of Kwon, "
                    "Suh and Lee 2011), Sutton and Barto's mazes, or any tabular MDP from a CSV file.");
-    std::string names = "chain windy windy-king windy-gusts";
-    for (const std::string& name : grid_task_names()) names += " " + name;
-    names += " walls60 walls60:2 (and the like)";
+    std::string names;
+    for (const std::string& name : map_names()) names += name + " ";
+    names += "walls60 walls60:2 (and the like)";
     parser.text("--maps", options.maps, "Maps, one after the other, what was learnt goes along: names or files");
     parser.text("--table", options.table, "A tabular MDP instead: CSV with s,a,next,p,reward,terminal");
     parser.number("--slip", options.slip, 0.0, 1.0, "Chance that a step goes astray (default 0.1; 0 for the book's mazes)");

@@ -44,7 +44,9 @@ GridPhase map_phase(const std::string& name, const GridOptions& options) {
     }
     std::optional<GridTask> task = find_grid_task(name);
     if (!task && name.find('/') == std::string::npos && name.find('.') == std::string::npos) {
-        static_cast<void>(grid_task(name));  // says which there are
+        std::string names;
+        for (const std::string& known : map_names()) names += known + ", ";
+        throw std::invalid_argument("map must be one of " + names + "or walls60 and the like, got " + name);
     }
     if (!task) {
         task.emplace(GridTask{name, GridMap::load(name), {}, 0, {}});
@@ -83,6 +85,12 @@ std::vector<std::uint64_t> report_steps(const GridPhase& phase, const GridOption
 }
 
 }  // namespace
+
+std::vector<std::string> map_names() {
+    std::vector<std::string> names{"chain", "windy", "windy-king", "windy-gusts"};
+    for (const std::string& name : grid_task_names()) names.push_back(name);
+    return names;
+}
 
 std::vector<GridPhase> phases_of(const GridOptions& options) {
     if (options.maps.empty() == options.table.empty()) {

@@ -54,6 +54,9 @@ struct GridPhase {
     }
 };
 
+/// The maps known by name; besides there are walls60, walls60:2 and the like.
+[[nodiscard]] std::vector<std::string> map_names();
+
 /// The phases that the options ask for, one after the other. \throws std::exception for names, files and numbers that
 /// cannot be.
 [[nodiscard]] std::vector<GridPhase> phases_of(const GridOptions& options);

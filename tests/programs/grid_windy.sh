@@ -19,7 +19,7 @@ rm -f "$json"
 
 refused "--slip does not go with windy" --maps windy $few --json "$json" --slip 0.1
 refused "windy has 70 cells and 4 actions, windy-king has 70 cells and 8 actions" --maps windy,windy-king $few --json "$json"
-refused "map must be one of" --maps windy-queen $few --json "$json"
+refused "map must be one of chain, windy, windy-king, windy-gusts, open64, " --maps windy-queen $few --json "$json"
 
 accepted "$html" -- --maps open64 $few --html "$html"
 for line in '[0-9.]+ steps to go$' 'up: .*, tried [0-9]*x, mostly to row [0-7], column [0-7], .* steps to go' 'down: .*, never tried'; do
